@@ -1,0 +1,95 @@
+//! What one answer costs: `cargo bench -p terramechanics`.
+
+use divan::{Bencher, black_box};
+use terramechanics::{
+    Bekker, Contact, ForceModel, Method, Operation, PeakDepth, PressureSinkage, Sinkage, SinkageExponent, Slip, SlipSweep, Soil,
+    SoilParams, StressProfile, Wheel, WheelOnSoil, WheelParams,
+};
+
+fn main() {
+    divan::main();
+}
+
+const METHODS: [&str; 3] = ["quadrature", "linearised", "explicit"];
+
+fn model(name: &str) -> ForceModel {
+    ForceModel::at_rim(match name {
+        "quadrature" => Method::Quadrature,
+        "linearised" => Method::LINEARISED,
+        _ => Method::EXPLICIT,
+    })
+}
+
+/// The letter's wheel and soil (its Fig. 1b).
+fn system() -> WheelOnSoil {
+    let exponent = SinkageExponent { base: 0.91, slip_gain: 0.0 };
+    WheelOnSoil {
+        wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 }).expect("a wheel"),
+        soil: Soil::new(SoilParams {
+            cohesion: 0.0,
+            friction_angle: 0.478,
+            shear_modulus: 0.005,
+            pressure_sinkage: PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent }),
+        })
+        .expect("a soil"),
+        contact: Contact::MIDPOINT,
+    }
+}
+
+fn operation(method: &str, sinkage: Sinkage) -> Operation {
+    Operation { system: system(), model: model(method), sinkage }
+}
+
+fn slip(ratio: f64) -> Slip {
+    Slip::new(ratio).expect("a slip")
+}
+
+fn one_point(bencher: Bencher<'_, '_>, method: &str, sinkage: Sinkage, ratio: f64) {
+    let operation = operation(method, sinkage);
+    bencher.bench_local(|| black_box(&operation).at(black_box(slip(ratio))));
+}
+
+#[divan::bench(args = METHODS)]
+fn forces_driving(bencher: Bencher<'_, '_>, method: &str) {
+    one_point(bencher, method, Sinkage::Given(0.02), 0.2);
+}
+
+#[divan::bench(args = METHODS)]
+fn forces_braking(bencher: Bencher<'_, '_>, method: &str) {
+    one_point(bencher, method, Sinkage::Given(0.02), -0.05);
+}
+
+#[divan::bench(args = METHODS)]
+fn solved_load(bencher: Bencher<'_, '_>, method: &str) {
+    one_point(bencher, method, Sinkage::CarryingLoad(80.0), 0.2);
+}
+
+fn sweep(bencher: Bencher<'_, '_>, method: &str, sinkage: Sinkage, points: u32) {
+    let operation = operation(method, sinkage);
+    let slips: Vec<Slip> = (0..points).map(|i| slip(f64::from(i) / f64::from(points - 1))).collect();
+    let mut columns = SlipSweep::of(&operation, &slips);
+    bencher.bench_local(|| columns.fill(black_box(&operation), black_box(&slips)));
+}
+
+#[divan::bench(args = METHODS)]
+fn sweep_1001_given_sinkage(bencher: Bencher<'_, '_>, method: &str) {
+    sweep(bencher, method, Sinkage::Given(0.02), 1001);
+}
+
+#[divan::bench(args = METHODS)]
+fn sweep_1001_solved_sinkage(bencher: Bencher<'_, '_>, method: &str) {
+    sweep(bencher, method, Sinkage::CarryingLoad(80.0), 1001);
+}
+
+/// Ten times the points should cost ten times the time.
+#[divan::bench(args = METHODS)]
+fn sweep_10001_given_sinkage(bencher: Bencher<'_, '_>, method: &str) {
+    sweep(bencher, method, Sinkage::Given(0.02), 10_001);
+}
+
+#[divan::bench]
+fn profile_201(bencher: Bencher<'_, '_>) {
+    let rolling = system().rolling(slip(0.2)).expect("a rolling wheel");
+    let patch = rolling.contact(0.02).expect("a contact");
+    bencher.bench_local(|| StressProfile::of(black_box(&patch), 201, PeakDepth::Geometric));
+}

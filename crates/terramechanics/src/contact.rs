@@ -1,0 +1,103 @@
+//! Where does the wheel touch the soil, and where are the stresses largest? (letter, Eqs. 3, 8, 13; Wong & Reece 1967)
+//!
+//! Departure: Eq. (13) as printed halves the entry angle; Eq. (3) at θ = 0 gives θ1 = arccos(1 − z/r) (erratum 7).
+
+use crate::error::{Error, InvalidInput, Parameter, Requirement};
+use crate::slip::Slip;
+
+/// Rule for the angle of maximum stress θm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PeakRule {
+    /// θm = (θ1 + θ2)/2. Shibly et al. 2005.
+    Midpoint,
+    /// θm = (c1 + c2 s) θ1. Wong & Reece 1967.
+    WongReece {
+        /// c1 [–].
+        c1: f64,
+        /// c2, the gain with slip [–].
+        c2: f64,
+    },
+    /// θm = arccos(1 − z/(2r)): half of the sinkage lies above the peak, which makes Eq. (8) exact.
+    HalfSinkage,
+}
+
+/// Parameters of the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactParams {
+    /// Rule for the angle of maximum stress.
+    pub rule: PeakRule,
+    /// c3 in θ2 = c3 θ1 [–], from −1 up to 1; negative where the soil rebounds behind the lowest point.
+    pub exit_ratio: f64,
+}
+
+/// How the contact is placed on the rim.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    params: ContactParams,
+}
+
+/// The characteristic angles of a contact [rad], from straight down, positive towards the front.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Angles {
+    /// Entry angle θ1.
+    pub entry: f64,
+    /// Angle of maximum stress θm, strictly between exit and entry.
+    pub peak: f64,
+    /// Exit angle θ2.
+    pub exit: f64,
+}
+
+impl Contact {
+    /// Peak at the midpoint, exit at the lowest point.
+    pub const MIDPOINT: Self = Self { params: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 } };
+
+    /// Checks the parameters.
+    ///
+    /// # Errors
+    /// Every parameter that is not finite, and an exit ratio outside [−1, 1).
+    pub fn new(params: ContactParams) -> Result<Self, InvalidInput> {
+        let exit = (Parameter::ExitRatio, params.exit_ratio, Requirement::FromUpTo { min: -1.0, limit: 1.0 });
+        match params.rule {
+            PeakRule::WongReece { c1, c2 } => InvalidInput::check(&[
+                (Parameter::PeakIntercept, c1, Requirement::Finite),
+                (Parameter::PeakSlipGain, c2, Requirement::Finite),
+                exit,
+            ])?,
+            PeakRule::Midpoint | PeakRule::HalfSinkage => InvalidInput::check(&[exit])?,
+        }
+        Ok(Self { params })
+    }
+
+    /// Angles of a contact whose sinkage is `depth_ratio` = z/r, in 0 < z/r ≤ 1.
+    ///
+    /// # Errors
+    /// [`Error::PeakOutsideContact`] where the rule does not give θ2 < θm < θ1.
+    ///
+    /// ```
+    /// # use terramechanics::{Contact, Slip};
+    /// let angles = Contact::MIDPOINT.angles(1.0, Slip::ROLLING)?; // sunk to the axle: a quarter of the rim
+    /// assert!((angles.entry - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    /// assert_eq!(angles.peak, 0.5 * angles.entry);
+    /// # Ok::<(), terramechanics::Error>(())
+    /// ```
+    pub fn angles(&self, depth_ratio: f64, slip: Slip) -> Result<Angles, Error> {
+        let entry = angle_at_depth(depth_ratio); // Eq. (13), corrected
+        let exit = self.params.exit_ratio * entry;
+        let peak = match self.params.rule {
+            PeakRule::Midpoint => 0.5 * (entry + exit),
+            PeakRule::WongReece { c1, c2 } => (c1 + c2 * slip.ratio()) * entry,
+            PeakRule::HalfSinkage => angle_at_depth(0.5 * depth_ratio), // Eq. (8)
+        };
+        if exit < peak && peak < entry {
+            Ok(Angles { entry, peak, exit })
+        } else {
+            Err(Error::PeakOutsideContact { entry, peak, exit })
+        }
+    }
+}
+
+/// arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small.
+#[inline]
+fn angle_at_depth(d: f64) -> f64 {
+    2.0 * (0.5 * d).sqrt().asin()
+}

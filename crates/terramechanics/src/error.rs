@@ -1,0 +1,235 @@
+//! What can be wrong, as data: which input, what value, what was required, what a solver reached.
+
+use std::fmt;
+
+/// An input of the model, named so that a caller can point at it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[expect(missing_docs, reason = "each variant is the name of the field it stands for")]
+pub enum Parameter {
+    Radius,
+    Width,
+    LugHeight,
+    LugCoefficient,
+    Cohesion,
+    FrictionAngle,
+    ShearModulus,
+    CohesiveModulus,
+    FrictionalModulus,
+    SinkageModulus,
+    UnitWeight,
+    DiameterCoefficient,
+    DiameterExponent,
+    BaseExponent,
+    SlipGain,
+    PeakIntercept,
+    PeakSlipGain,
+    ExitRatio,
+    Slip,
+    ForwardVelocity,
+    AngularVelocity,
+    Sinkage,
+    StaticSinkage,
+    NormalLoad,
+    LambdaA,
+    LambdaB,
+}
+
+/// What a value has to satisfy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Requirement {
+    /// A finite number.
+    Finite,
+    /// Finite and greater than zero.
+    Positive,
+    /// Finite and not below zero.
+    NotNegative,
+    /// Finite and within the closed range.
+    Within {
+        /// Smallest value allowed.
+        min: f64,
+        /// Largest value allowed.
+        max: f64,
+    },
+    /// Finite, at least `min` and strictly below `limit`.
+    FromUpTo {
+        /// Smallest value allowed.
+        min: f64,
+        /// First value not allowed.
+        limit: f64,
+    },
+}
+
+impl Requirement {
+    /// Whether `value` satisfies the requirement; a NaN never does.
+    #[must_use]
+    pub fn holds(&self, value: f64) -> bool {
+        value.is_finite()
+            && match *self {
+                Self::Finite => true,
+                Self::Positive => value > 0.0,
+                Self::NotNegative => value >= 0.0,
+                Self::Within { min, max } => (min..=max).contains(&value),
+                Self::FromUpTo { min, limit } => (min..limit).contains(&value),
+            }
+    }
+}
+
+impl fmt::Display for Requirement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Finite => write!(f, "must be a finite number"),
+            Self::Positive => write!(f, "must be greater than 0"),
+            Self::NotNegative => write!(f, "must not be negative"),
+            Self::Within { min, max } => write!(f, "must be from {min} to {max}"),
+            Self::FromUpTo { min, limit } => write!(f, "must be at least {min} and less than {limit}"),
+        }
+    }
+}
+
+/// One input that does not satisfy its requirement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fault {
+    /// The input at fault.
+    pub parameter: Parameter,
+    /// The value that was given.
+    pub value: f64,
+    /// What it has to satisfy.
+    pub requirement: Requirement,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?} {}, not {}", self.parameter, self.requirement, self.value)
+    }
+}
+
+/// Parameters that describe no wheel, soil, contact or slip: every fault found, never empty.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InvalidInput {
+    /// The faults, in the order of the fields.
+    pub faults: Vec<Fault>,
+}
+
+impl InvalidInput {
+    /// `Ok` where every value satisfies its requirement, else all that do not.
+    pub(crate) fn check(checks: &[(Parameter, f64, Requirement)]) -> Result<(), Self> {
+        let faults: Vec<Fault> = checks
+            .iter()
+            .filter(|(_, value, requirement)| !requirement.holds(*value))
+            .map(|&(parameter, value, requirement)| Fault { parameter, value, requirement })
+            .collect();
+        if faults.is_empty() { Ok(()) } else { Err(Self { faults }) }
+    }
+}
+
+impl fmt::Display for InvalidInput {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, fault) in self.faults.iter().enumerate() {
+            write!(f, "{}{fault}", if i == 0 { "" } else { "; " })?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for InvalidInput {}
+
+/// Why valid parts, put together, have no answer.
+///
+/// It is `Copy` so that a sweep can record a point without a solution at no cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Error {
+    /// A single value lies outside what the model accepts.
+    Invalid(Fault),
+    /// The wheel moves against its own rotation (sliding back while driving): outside the model.
+    OppositeRotation {
+        /// Forward velocity of the axle [m/s].
+        forward_velocity: f64,
+        /// Angular velocity of the wheel [rad/s].
+        angular_velocity: f64,
+    },
+    /// The sinkage is not in 0 < z ≤ r.
+    SinkageOutsideWheel {
+        /// The sinkage [m].
+        sinkage: f64,
+        /// The wheel's radius [m].
+        radius: f64,
+    },
+    /// The pressure–sinkage law gives no resistance on this wheel (for Bekker's law: b ≤ −k_c/k_phi).
+    ModulusNotPositive {
+        /// The sinkage modulus K_s [Pa/m^N].
+        modulus: f64,
+    },
+    /// N = n0 + n1 s is not positive.
+    ExponentNotPositive {
+        /// The sinkage exponent N.
+        exponent: f64,
+    },
+    /// The rule puts the peak of the stresses outside the contact.
+    PeakOutsideContact {
+        /// Entry angle θ1 [rad].
+        entry: f64,
+        /// Angle of maximum stress θm [rad].
+        peak: f64,
+        /// Exit angle θ2 [rad].
+        exit: f64,
+    },
+    /// The soil does not carry the load at any sinkage up to the wheel's radius.
+    LoadBeyondCapacity {
+        /// The load asked for [N].
+        load: f64,
+        /// The largest load carried [N].
+        largest: f64,
+        /// The sinkage at which that is carried [m].
+        sinkage: f64,
+    },
+    /// The load balance was not met within the budget of iterations.
+    LoadNotBalanced {
+        /// The load asked for [N].
+        load: f64,
+        /// Evaluations of the normal force that were spent.
+        iterations: u32,
+        /// Normal force minus load at the best sinkage [N].
+        residual: f64,
+        /// The best sinkage [m].
+        sinkage: f64,
+    },
+    /// The numbers are so large or so small that a result overflows.
+    NotFinite,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Invalid(fault) => fault.fmt(f),
+            Self::OppositeRotation { forward_velocity, angular_velocity } => write!(
+                f,
+                "forward velocity {forward_velocity} m/s and angular velocity {angular_velocity} rad/s have opposite signs: \
+                 a wheel that slides against its rotation lies outside the model"
+            ),
+            Self::SinkageOutsideWheel { sinkage, radius } => {
+                write!(f, "the sinkage {sinkage} m must be greater than 0 and at most the wheel's radius {radius} m")
+            }
+            Self::ModulusNotPositive { modulus } => {
+                write!(f, "the sinkage modulus is {modulus} Pa/m^N on this wheel, it must be greater than 0")
+            }
+            Self::ExponentNotPositive { exponent } => {
+                write!(f, "the sinkage exponent n0 + n1 s is {exponent}, it must be greater than 0")
+            }
+            Self::PeakOutsideContact { entry, peak, exit } => write!(
+                f,
+                "the angle of maximum stress {peak} rad must lie strictly between the exit angle {exit} rad and the entry angle {entry} rad"
+            ),
+            Self::LoadBeyondCapacity { load, largest, sinkage } => write!(
+                f,
+                "the soil does not carry {load} N: the largest load it carries is {largest} N, at a sinkage of {sinkage} m"
+            ),
+            Self::LoadNotBalanced { load, iterations, residual, sinkage } => write!(
+                f,
+                "no sinkage was found that carries {load} N: after {iterations} evaluations the best is {sinkage} m, off by {residual} N"
+            ),
+            Self::NotFinite => write!(f, "the result overflows: the inputs are too large or too small together"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,38 @@
+//! The shape integrals A, B, H of linear stresses (letter, Eq. 12; Shibly et al. 2005).
+
+use crate::contact::Angles;
+use crate::numerics::circular::ArcMeans;
+
+/// Integrals of the triangle that rises from 0 at θ2 to 1 at θm and falls to 0 at θ1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShapeIntegrals {
+    /// A, the integral with cos θ [–]. Eq. (12a).
+    pub a: f64,
+    /// B, the integral with sin θ [–]. Eq. (12b).
+    pub b: f64,
+    /// H, the area (θ1 − θ2)/2 [–]. Eq. (12c).
+    pub h: f64,
+}
+
+impl ShapeIntegrals {
+    /// A, B and H of a contact.
+    ///
+    /// The quotients of Eq. (12) are means of circular functions over the rear and the front arc:
+    /// A = ⟨sin⟩_front − ⟨sin⟩_rear and B = ⟨cos⟩_rear − ⟨cos⟩_front, the latter taken as 1 − ⟨cos⟩ to keep its digits.
+    ///
+    /// ```
+    /// # use terramechanics::{Contact, ShapeIntegrals, Slip};
+    /// // At z/r = 0.1: θ1 = 0.451027, A = 0.218873, B = 0.050213 (computed independently of this crate).
+    /// let shape = ShapeIntegrals::of(&Contact::MIDPOINT.angles(0.1, Slip::ROLLING)?);
+    /// assert!((shape.a - 0.218873).abs() < 5e-7 && (shape.b - 0.050213).abs() < 5e-7);
+    /// assert!((shape.h - 0.451027 / 2.0).abs() < 5e-7);
+    /// # Ok::<(), terramechanics::Error>(())
+    /// ```
+    #[must_use]
+    pub fn of(angles: &Angles) -> Self {
+        let Angles { entry, peak, exit } = *angles;
+        let rear = ArcMeans::over(0.5 * (peak + exit), 0.5 * (peak - exit));
+        let front = ArcMeans::over(0.5 * (entry + peak), 0.5 * (entry - peak));
+        Self { a: front.sin - rear.sin, b: front.one_minus_cos - rear.one_minus_cos, h: 0.5 * (entry - exit) }
+    }
+}

@@ -1,0 +1,44 @@
+//! Steady forces of one rigid wheel, with or without lugs, rolling on deformable soil.
+//!
+//! The model is that of the letter "Improving engineering models of terramechanics for planetary exploration"; equation
+//! numbers in these docs are the letter's. Where its printed equations contain errors, each module says what is computed
+//! instead and why.
+//!
+//! SI units and radians throughout. Angles are measured at the wheel's centre from straight down, positive towards the
+//! front. Slip is −1 (locked) … 0 (rolling) … 1 (spinning on the spot).
+//!
+//! The way through: a [`Wheel`], a [`Soil`] and a [`Contact`] make a [`WheelOnSoil`]; at a [`Slip`] it is [`Rolling`]; at a
+//! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
+//! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
+
+mod caution;
+mod contact;
+mod error;
+mod forces;
+mod load;
+mod numerics;
+mod operation;
+mod pressure_sinkage;
+mod profile;
+mod shear;
+mod slip;
+mod slip_sinkage;
+mod soil;
+mod stress;
+mod sweep;
+mod wheel;
+
+pub use caution::{Caution, cautions};
+pub use contact::{Angles, Contact, ContactParams, PeakRule};
+pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
+pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
+pub use load::CarriedLoad;
+pub use operation::{OperatingPoint, Operation, Sinkage};
+pub use pressure_sinkage::{Bekker, Diameter, Direct, PressureSinkage, Reece, SinkageExponent};
+pub use profile::StressProfile;
+pub use slip::{Heading, Motion, Slip, Velocities};
+pub use slip_sinkage::lyasko_sinkage;
+pub use soil::{Soil, SoilParams};
+pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
+pub use sweep::{Gap, SlipSweep};
+pub use wheel::{Wheel, WheelParams};

@@ -1,0 +1,164 @@
+//! How deep does a loaded wheel sink? The sinkage at which the normal force balances the load.
+//!
+//! F_z grows about as z^(N + 1/2), so the balance is sought in y = sgn(F_z) |F_z|^(1/(N + 1/2)), which is nearly a straight
+//! line in z: a bracket found from one guess, then Brent's method, need some seven evaluations. On a driving wheel with its
+//! exit at the lowest point F_z grows with z and the balance is unique; else the one nearest to Bekker's estimate is found,
+//! where F_z rises through the load: a wheel set on the soil comes to rest there.
+
+use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::forces::{ForceModel, Forces};
+use crate::numerics::brent::{Sample, bracketed_root};
+use crate::stress::Rolling;
+
+/// Relative tolerance of the sinkage: what the quadrature's own error allows.
+const TOLERANCE: f64 = 1e-13;
+
+/// Residual, relative to the scale of the normal force, beyond which a balance counts as not met.
+const LARGEST_RESIDUAL: f64 = 1e-9;
+
+/// Steps outward for a bracket; each is at least [`STRIDE`], so they span any sinkage a double can name in the end.
+const BRACKET_STEPS: u32 = 60;
+
+/// Smallest factor of an outward step.
+const STRIDE: f64 = 1.02;
+
+/// Depths at which the normal force is sampled where it does not reach the load at z = r.
+const CAPACITY_SAMPLES: u32 = 64;
+
+/// A solved load balance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CarriedLoad {
+    /// Sinkage z [m].
+    pub sinkage: f64,
+    /// Normal force minus load that is left [N].
+    pub residual: f64,
+    /// Evaluations of the forces that were spent.
+    pub iterations: u32,
+    /// The forces at that sinkage.
+    pub forces: Forces,
+}
+
+impl ForceModel {
+    /// The sinkage z in 0 < z ≤ r at which the normal force equals `load` [N], by the same method as the forces.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a load not greater than 0; [`Error::LoadBeyondCapacity`] with the largest load the soil
+    /// carries; [`Error::LoadNotBalanced`] with what was reached; what [`ForceModel::forces`] refuses.
+    pub fn solve_sinkage(&self, rolling: &Rolling, load: f64) -> Result<CarriedLoad, Error> {
+        if !Requirement::Positive.holds(load) {
+            return Err(Error::Invalid(Fault {
+                parameter: Parameter::NormalLoad,
+                value: load,
+                requirement: Requirement::Positive,
+            }));
+        }
+        let power = 1.0 / (rolling.sinkage_exponent() + 0.5);
+        let mut balance = Balance { model: self, rolling, load, power, level: load.powf(power), iterations: 0, latest: None };
+        let (below, above) = balance.bracket()?;
+        let found = bracketed_root(|z| balance.imbalance(z), below, above, TOLERANCE)?;
+        let sinkage = found.best.x;
+        let forces = match balance.latest {
+            Some((z, forces)) if z == sinkage => forces,
+            _ => balance.forces(sinkage)?,
+        };
+        let residual = forces.normal - load;
+        let iterations = balance.iterations;
+        if found.converged && residual.abs() <= LARGEST_RESIDUAL * forces.normal_scale().max(load) {
+            Ok(CarriedLoad { sinkage, residual, iterations, forces })
+        } else {
+            Err(Error::LoadNotBalanced { load, iterations, residual, sinkage })
+        }
+    }
+}
+
+struct Balance<'a> {
+    model: &'a ForceModel,
+    rolling: &'a Rolling,
+    load: f64,
+    /// 1/(N + 1/2).
+    power: f64,
+    /// The load to that power.
+    level: f64,
+    iterations: u32,
+    /// The latest sinkage and its forces: mostly those of the solution.
+    latest: Option<(f64, Forces)>,
+}
+
+impl Balance<'_> {
+    fn forces(&mut self, sinkage: f64) -> Result<Forces, Error> {
+        self.iterations += 1;
+        let forces = self.model.forces(&self.rolling.contact(sinkage)?)?;
+        self.latest = Some((sinkage, forces));
+        Ok(forces)
+    }
+
+    /// The normal force on a scale on which it is about proportional to the sinkage, minus the load on the same scale; 0
+    /// where they differ by no more than their own accuracy.
+    fn imbalance(&mut self, sinkage: f64) -> Result<f64, Error> {
+        let forces = self.forces(sinkage)?;
+        if (forces.normal - self.load).abs() <= TOLERANCE * forces.normal_scale() {
+            return Ok(0.0);
+        }
+        Ok(forces.normal.abs().powf(self.power).copysign(forces.normal) - self.level)
+    }
+
+    fn sample(&mut self, sinkage: f64) -> Result<Sample, Error> {
+        Ok(Sample { x: sinkage, y: self.imbalance(sinkage)? })
+    }
+
+    /// Two sinkages between which F_z rises through the load.
+    fn bracket(&mut self) -> Result<(Sample, Sample), Error> {
+        let radius = self.rolling.system.wheel.radius();
+        let mut here = self.sample(self.bekker_estimate().min(radius))?;
+        for _ in 0..BRACKET_STEPS {
+            // Where a straight line through the origin says the load is, and a little beyond.
+            let ratio = self.level / (here.y + self.level);
+            let next = if here.y < 0.0 {
+                if here.x >= radius {
+                    return self.carried_before_the_axle();
+                }
+                let factor = if ratio.is_finite() && ratio > 1.0 { 1.0 + (ratio - 1.0) * 1.2 } else { 2.0 };
+                self.sample((here.x * factor.clamp(STRIDE, 16.0)).min(radius))?
+            } else {
+                let factor = if ratio.is_finite() && ratio > 0.0 { 1.0 - (1.0 - ratio) * 1.2 } else { 0.5 };
+                self.sample(here.x * factor.clamp(1.0 / 16.0, 1.0 / STRIDE))?
+            };
+            match (here.y < 0.0, next.y < 0.0) {
+                (true, false) => return Ok((here, next)),
+                (false, true) => return Ok((next, here)),
+                _ => here = next,
+            }
+        }
+        let residual = self.forces(here.x)?.normal - self.load;
+        Err(Error::LoadNotBalanced { load: self.load, iterations: self.iterations, residual, sinkage: here.x })
+    }
+
+    /// Bekker's sinkage of a rigid wheel, z = (3 W / ((3 − N) b K_s √(2r)))^(2/(2N+1)) (Bekker 1956): a first guess.
+    fn bekker_estimate(&self) -> f64 {
+        let wheel = &self.rolling.system.wheel;
+        let share = (3.0 - self.rolling.sinkage_exponent()).max(0.5) / 3.0;
+        let scale = share * wheel.width() * self.rolling.sinkage_modulus() * (2.0 * wheel.radius()).sqrt();
+        let estimate = (self.load / scale).powf(self.power);
+        if estimate.is_finite() { estimate.max(f64::MIN_POSITIVE) } else { wheel.radius() }
+    }
+
+    /// Where F_z(r) is below the load, F_z may still have reached it at a smaller sinkage, if it does not grow throughout (a
+    /// braking wheel): the bracket of that, or the largest load.
+    fn carried_before_the_axle(&mut self) -> Result<(Sample, Sample), Error> {
+        let radius = self.rolling.system.wheel.radius();
+        let mut before = Sample { x: 0.0, y: -self.level };
+        let (mut largest, mut deepest) = (f64::NEG_INFINITY, radius);
+        for i in 1..=CAPACITY_SAMPLES {
+            let here = self.sample(radius * f64::from(i) / f64::from(CAPACITY_SAMPLES))?;
+            if here.y >= 0.0 {
+                return Ok((before, here));
+            }
+            if here.y > largest {
+                (largest, deepest) = (here.y, here.x);
+            }
+            before = here;
+        }
+        let largest = self.forces(deepest)?.normal;
+        Err(Error::LoadBeyondCapacity { load: self.load, largest, sinkage: deepest })
+    }
+}

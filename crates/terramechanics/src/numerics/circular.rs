@@ -1,0 +1,112 @@
+//! Circular functions of half an arc of the contact, and their differences without cancellation.
+//!
+//! No arc of a contact is longer than π, so half of it needs no reduction of its range: Taylor series up to x²¹ and x²²,
+//! whose remainders are below 1e-17 at π/2, give sine, cosine and the difference x − sin x in one go, faster than the
+//! library's sine and cosine. The subtraction x − sin x would lose two digits in every decade as x falls; the series does not.
+
+/// Functions of an angle x in |x| ≤ π/2.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct HalfArc {
+    /// sin x.
+    pub(crate) sin: f64,
+    /// cos x.
+    pub(crate) cos: f64,
+    /// x − sin x, to full relative precision.
+    pub(crate) excess: f64,
+}
+
+/// 1/n! for n from 0 to 22.
+const RECIPROCAL_FACTORIALS: [f64; 23] = {
+    let mut table = [1.0; 23];
+    let (mut n, mut factorial) = (1, 1.0);
+    while n < table.len() {
+        factorial *= n as f64; // exact up to 22!
+        table[n] = 1.0 / factorial;
+        n += 1;
+    }
+    table
+};
+
+/// Σ (−1)^k y^k/(first + 2k)! up to the last factorial of the table.
+///
+/// Terms of even and odd k are summed apart: two short chains of dependent operations instead of a long one.
+#[inline(always)]
+fn alternating_series(y: f64, first: usize) -> f64 {
+    let square = y * y;
+    let sum = |from: usize| {
+        let mut n = from + (22 - from) / 4 * 4;
+        let mut sum = RECIPROCAL_FACTORIALS[n];
+        while n > from {
+            n -= 4;
+            sum = sum * square + RECIPROCAL_FACTORIALS[n];
+        }
+        sum
+    };
+    sum(first) - y * sum(first + 2)
+}
+
+impl HalfArc {
+    /// The functions at `x`.
+    #[inline(always)]
+    pub(crate) fn of(x: f64) -> Self {
+        let y = x * x;
+        let excess = x * y * alternating_series(y, 3);
+        Self { sin: x - excess, cos: 1.0 - y * alternating_series(y, 2), excess }
+    }
+}
+
+/// Means over an arc of the sine and of 1 − cosine.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ArcMeans {
+    /// ⟨sin⟩.
+    pub(crate) sin: f64,
+    /// 1 − ⟨cos⟩, to full relative precision.
+    pub(crate) one_minus_cos: f64,
+}
+
+impl ArcMeans {
+    /// Over the arc from p − x to p + x, with p = `middle` in |p| ≤ π and x = `half` in 0 < x ≤ π/2: ⟨sin⟩ = sin p · sin x/x,
+    /// ⟨cos⟩ = cos p · sin x/x.
+    #[inline(always)]
+    pub(crate) fn over(middle: f64, half: f64) -> Self {
+        let HalfArc { sin, cos, .. } = HalfArc::of(0.5 * middle);
+        let one_minus_cos_middle = 2.0 * sin * sin;
+        let one_minus_sinc = HalfArc::of(half).excess / half;
+        Self {
+            sin: 2.0 * sin * cos * (1.0 - one_minus_sinc),
+            one_minus_cos: one_minus_cos_middle + one_minus_sinc - one_minus_cos_middle * one_minus_sinc,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_series_agree_with_the_library() {
+        for i in -1000..=1000 {
+            let x = std::f64::consts::FRAC_PI_2 * f64::from(i) / 1000.0;
+            let arc = HalfArc::of(x);
+            assert!((arc.sin - x.sin()).abs() < 3e-16 && (arc.cos - x.cos()).abs() < 3e-16, "{x}");
+            assert!((arc.excess - (x - x.sin())).abs() < 3e-16, "{x}");
+        }
+    }
+
+    #[test]
+    fn the_excess_tends_to_its_leading_term() {
+        for x in [1e-8, 1e-20, 1e-100] {
+            assert!((HalfArc::of(x).excess / (x * x * x / 6.0) - 1.0).abs() < 1e-15);
+        }
+        assert_eq!(HalfArc::of(0.0).excess, 0.0);
+    }
+
+    #[test]
+    fn the_means_are_those_of_an_arc() {
+        // Mean of cos over [0.2, 0.8] is (sin 0.8 − sin 0.2)/0.6, of sin (cos 0.2 − cos 0.8)/0.6.
+        let (a, b) = (0.2_f64, 0.8_f64);
+        let means = ArcMeans::over(0.5, 0.3);
+        assert!((means.one_minus_cos - (1.0 - (b.sin() - a.sin()) / 0.6)).abs() < 1e-15);
+        assert!((means.sin - (a.cos() - b.cos()) / 0.6).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,5 @@
+//! Numerical methods the model needs: nothing here knows of wheels or soils.
+
+pub(crate) mod brent;
+pub(crate) mod circular;
+pub(crate) mod gauss_legendre;

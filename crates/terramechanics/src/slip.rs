@@ -1,0 +1,164 @@
+//! How much does the wheel slip? Slip ratio from velocities (letter, Eq. 2).
+//!
+//! Convention: −1 (locked) … 0 (rolling) … 1 (spinning on the spot). Driving, rω ≥ v: s = 1 − v/(rω). Braking: s = rω/v − 1.
+
+use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::wheel::Wheel;
+
+/// Slip ratio s from −1 to 1, positive when driving, negative when braking. Eq. (2).
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct Slip(f64);
+
+impl Slip {
+    /// A wheel that is dragged without turning.
+    pub const LOCKED: Self = Self(-1.0);
+    /// A wheel that rolls without slip.
+    pub const ROLLING: Self = Self(0.0);
+    /// A wheel that turns on the spot.
+    pub const SPINNING: Self = Self(1.0);
+
+    /// Checks the ratio.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] unless −1 ≤ s ≤ 1.
+    pub fn new(ratio: f64) -> Result<Self, Error> {
+        let requirement = Requirement::Within { min: -1.0, max: 1.0 };
+        if requirement.holds(ratio) {
+            Ok(Self(ratio))
+        } else {
+            Err(Error::Invalid(Fault { parameter: Parameter::Slip, value: ratio, requirement }))
+        }
+    }
+
+    /// The ratio s.
+    #[must_use]
+    pub fn ratio(self) -> f64 {
+        self.0
+    }
+
+    /// Whether the wheel drives or rolls freely (s ≥ 0) rather than brakes.
+    #[must_use]
+    pub fn is_driving(self) -> bool {
+        self.0 >= 0.0
+    }
+
+    /// Whether the wheel does not turn (s = −1).
+    #[must_use]
+    pub fn is_locked(self) -> bool {
+        self.0 <= -1.0
+    }
+
+    /// κ = v/(rω) and 1 − κ, the latter without cancellation near rolling; both infinite for a locked wheel.
+    ///
+    /// Driving κ = 1 − s; braking κ = 1/(1 + s), where the printed Eq. (6) has 1 − s (erratum 11: Eq. 2 gives the other).
+    pub(crate) fn velocity_ratio(self) -> (f64, f64) {
+        if self.is_driving() { (1.0 - self.0, self.0) } else { (1.0 / (1.0 + self.0), self.0 / (1.0 + self.0)) }
+    }
+}
+
+/// Which way the wheel moves along x.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Heading {
+    /// Along +x.
+    Forward,
+    /// Along −x: the mirror image, with the same slip.
+    Backward,
+}
+
+/// Velocities of the axle and of the wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Velocities {
+    /// Forward velocity v of the axle [m/s].
+    pub forward: f64,
+    /// Angular velocity ω of the wheel [rad/s], positive when it rolls forward.
+    pub angular: f64,
+}
+
+/// Slip and the direction in which the wheel moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion {
+    /// The slip ratio.
+    pub slip: Slip,
+    /// The direction.
+    pub heading: Heading,
+}
+
+impl Motion {
+    /// Slip and heading of `wheel` at `velocities`. Eq. (2), with r the rim radius.
+    ///
+    /// At rest (v = ω = 0) the slip is 0.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a velocity that is not finite, [`Error::OppositeRotation`] where v and ω have opposite signs.
+    ///
+    /// ```
+    /// # use terramechanics::{Heading, Motion, Velocities, Wheel, WheelParams};
+    /// let wheel = Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?;
+    /// let motion = Motion::of(&wheel, Velocities { forward: 0.15, angular: 1.0 })?;
+    /// assert!((motion.slip.ratio() - 0.25).abs() < 1e-15); // 1 − 0.15/(0.2·1)
+    /// assert_eq!(motion.heading, Heading::Forward);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(wheel: &Wheel, velocities: Velocities) -> Result<Self, Error> {
+        let Velocities { forward, angular } = velocities;
+        for (parameter, value) in [(Parameter::ForwardVelocity, forward), (Parameter::AngularVelocity, angular)] {
+            if !value.is_finite() {
+                return Err(Error::Invalid(Fault { parameter, value, requirement: Requirement::Finite }));
+            }
+        }
+        if forward * angular < 0.0 || (forward != 0.0 && angular != 0.0 && forward.signum() != angular.signum()) {
+            return Err(Error::OppositeRotation { forward_velocity: forward, angular_velocity: angular });
+        }
+        let heading = if forward < 0.0 || angular < 0.0 { Heading::Backward } else { Heading::Forward };
+        let (axle, rim) = (forward.abs(), (wheel.radius() * angular).abs());
+        let slip = if axle == rim {
+            0.0
+        } else if rim > axle {
+            (rim - axle) / rim // Eq. (2), driving
+        } else {
+            (rim - axle) / axle // Eq. (2), braking
+        };
+        Ok(Self { slip: Slip::new(slip)?, heading })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wheel::WheelParams;
+
+    fn motion(forward: f64, angular: f64) -> Result<Motion, Error> {
+        let wheel = Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 }).expect("a wheel");
+        Motion::of(&wheel, Velocities { forward, angular })
+    }
+
+    #[test]
+    fn limits_of_the_definition_are_exact() {
+        for (forward, angular, slip) in [(0.0, 0.0, 0.0), (0.0, 3.0, 1.0), (3.0, 0.0, -1.0), (0.5, 2.5, 0.0)] {
+            assert_eq!(motion(forward, angular).expect("inside the model").slip.ratio(), slip);
+        }
+    }
+
+    #[test]
+    fn a_wheel_that_turns_backwards_is_the_mirror_image() {
+        for (forward, angular) in [(0.1, 1.0), (0.3, 1.0), (0.0, 1.0), (0.1, 0.0)] {
+            let ahead = motion(forward, angular).expect("inside the model");
+            let back = motion(-forward, -angular).expect("inside the model");
+            assert_eq!(ahead.slip, back.slip);
+            assert_eq!((ahead.heading, back.heading), (Heading::Forward, Heading::Backward));
+        }
+    }
+
+    #[test]
+    fn opposite_signs_are_refused() {
+        assert!(matches!(motion(0.1, -1.0), Err(Error::OppositeRotation { .. })));
+        assert!(matches!(motion(-1e-300, 1e-300), Err(Error::OppositeRotation { .. })));
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_are_refused() {
+        assert!(matches!(motion(f64::NAN, 1.0), Err(Error::Invalid(Fault { parameter: Parameter::ForwardVelocity, .. }))));
+        assert!(matches!(motion(1.0, f64::INFINITY), Err(Error::Invalid(Fault { parameter: Parameter::AngularVelocity, .. }))));
+        assert!(Slip::new(f64::NAN).is_err() && Slip::new(1.0 + 1e-15).is_err() && Slip::new(-1.1).is_err());
+    }
+}

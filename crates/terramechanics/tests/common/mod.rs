@@ -1,0 +1,124 @@
+//! Systems and reference cases that several test files share.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use serde_json::Value;
+use terramechanics::{
+    Bekker, Contact, ContactParams, Diameter, Direct, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth,
+    PeakRule, PressureSinkage, Reece, SinkageExponent, Slip, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams,
+};
+
+/// The letter's wheel and soil (its Fig. 1b), as parameters to vary.
+pub(crate) const LETTER_WHEEL: WheelParams = WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 };
+pub(crate) const LETTER_LAW: Bekker =
+    Bekker { k_c: -660.0, k_phi: 754_130.0, exponent: SinkageExponent { base: 0.91, slip_gain: 0.0 } };
+pub(crate) const LETTER_SOIL: SoilParams = SoilParams {
+    cohesion: 0.0,
+    friction_angle: 0.478,
+    shear_modulus: 0.005,
+    pressure_sinkage: PressureSinkage::Bekker(LETTER_LAW),
+};
+
+pub(crate) fn system(wheel: WheelParams, soil: SoilParams, contact: Contact) -> WheelOnSoil {
+    WheelOnSoil { wheel: Wheel::new(wheel).expect("a wheel"), soil: Soil::new(soil).expect("a soil"), contact }
+}
+
+pub(crate) fn letter() -> WheelOnSoil {
+    system(LETTER_WHEEL, LETTER_SOIL, Contact::MIDPOINT)
+}
+
+pub(crate) fn contact(rule: PeakRule, exit_ratio: f64) -> Contact {
+    Contact::new(ContactParams { rule, exit_ratio }).expect("a contact")
+}
+
+pub(crate) fn slip(ratio: f64) -> Slip {
+    Slip::new(ratio).expect("a slip")
+}
+
+pub(crate) fn forces(system: &WheelOnSoil, ratio: f64, sinkage: f64, method: Method) -> Forces {
+    let rolling = system.rolling(slip(ratio)).expect("a rolling wheel");
+    ForceModel::at_rim(method).forces(&rolling.contact(sinkage).expect("a contact")).expect("forces")
+}
+
+/// The cases of a fixture, with names as in the HTTP contract.
+pub(crate) fn cases(text: &str) -> Vec<Value> {
+    let mut document: Value = serde_json::from_str(text).expect("a fixture is JSON");
+    match document["cases"].take() {
+        Value::Array(cases) => cases,
+        other => panic!("a fixture holds cases, not {other}"),
+    }
+}
+
+pub(crate) const REFERENCE_CASES: &str = include_str!("../fixtures/reference_cases.json");
+pub(crate) const EDGE_CASES: &str = include_str!("../reference/edge_cases.json");
+
+/// A number of a case, or what it is where the case leaves it out.
+fn number(object: &Value, name: &str, default: f64) -> f64 {
+    object.get(name).map_or(default, |value| value.as_f64().expect("a number"))
+}
+
+pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
+    let (wheel, soil, law, rule) = (&input["wheel"], &input["soil"], &input["soil"]["pressure_sinkage"], &input["contact"]);
+    let required = |object: &Value, name: &str| number(object, name, f64::NAN);
+    let exponent = SinkageExponent { base: required(law, "n0"), slip_gain: number(law, "n1", 0.0) };
+    let pressure_sinkage = match law["law"].as_str() {
+        Some("bekker") => PressureSinkage::Bekker(Bekker { k_c: required(law, "k_c"), k_phi: required(law, "k_phi"), exponent }),
+        Some("direct") => PressureSinkage::Direct(Direct { k_s: required(law, "k_s"), exponent }),
+        Some("reece") => PressureSinkage::Reece(Reece {
+            k_c: required(law, "k_c"),
+            k_phi: required(law, "k_phi"),
+            unit_weight: required(law, "unit_weight_n_m3"),
+            exponent,
+        }),
+        Some("diameter") => PressureSinkage::Diameter(Diameter { k: required(law, "k"), m: required(law, "m"), exponent }),
+        other => panic!("no law {other:?}"),
+    };
+    let peak_rule = match rule["rule"].as_str() {
+        Some("midpoint") | None => PeakRule::Midpoint,
+        Some("wong_reece") => PeakRule::WongReece { c1: required(rule, "c1"), c2: required(rule, "c2") },
+        Some("half_sinkage") => PeakRule::HalfSinkage,
+        other => panic!("no rule {other:?}"),
+    };
+    system(
+        WheelParams {
+            radius: required(wheel, "radius_m"),
+            width: required(wheel, "width_m"),
+            lug_height: number(wheel, "lug_height_m", 0.0),
+            lug_coefficient: number(wheel, "lug_coefficient", Wheel::TYPICAL_LUG_COEFFICIENT),
+        },
+        SoilParams {
+            cohesion: required(soil, "cohesion_pa"),
+            friction_angle: required(soil, "friction_angle_rad"),
+            shear_modulus: required(soil, "shear_modulus_m"),
+            pressure_sinkage,
+        },
+        contact(peak_rule, number(rule, "c3", 0.0)),
+    )
+}
+
+/// The force model of a case by the name of its method.
+pub(crate) fn model_of(input: &Value, method: &str) -> ForceModel {
+    let peak_depth = |default| match input.get("peak_sinkage").and_then(Value::as_str) {
+        Some("half") => PeakDepth::Half,
+        Some("geometric") => PeakDepth::Geometric,
+        _ => default,
+    };
+    let lambda = |name: &str| match input.get(name) {
+        Some(Value::String(_)) => Lambda::Exact,
+        _ => Lambda::Given(number(input, name, 0.0)),
+    };
+    ForceModel {
+        method: match method {
+            "quadrature" => Method::Quadrature,
+            "linearised" => Method::Linearised { peak_depth: peak_depth(PeakDepth::Geometric) },
+            _ => Method::Explicit {
+                peak_depth: peak_depth(PeakDepth::Half),
+                lambda_a: lambda("lambda_a"),
+                lambda_b: lambda("lambda_b"),
+            },
+        },
+        normal_stress_radius: match input.get("normal_stress_radius").and_then(Value::as_str) {
+            Some("shearing") => NormalStressRadius::Shearing,
+            _ => NormalStressRadius::Rim,
+        },
+    }
+}

@@ -1,0 +1,81 @@
+//! All three methods against values computed with 30 digits by implementations independent of this crate.
+
+mod common;
+
+use common::{EDGE_CASES, REFERENCE_CASES, cases, model_of, slip, system_of};
+use serde_json::Value;
+use terramechanics::Forces;
+
+/// Closed forms: some tens of roundings.
+const CLOSED_FORM: f64 = 1e-12;
+/// What the quadrature promises, on the scale of the parts.
+const QUADRATURE: f64 = 1e-10;
+/// A solved sinkage: the quadrature's error and what is left of the balance.
+const SOLVED_SINKAGE: f64 = 1e-9;
+
+fn tolerance(method: &str) -> f64 {
+    if method == "quadrature" { QUADRATURE } else { CLOSED_FORM }
+}
+
+/// Largest deviation relative to the scale on which each quantity is accurate.
+fn deviation(forces: &Forces, expected: &Value) -> f64 {
+    let value = |name: &str| expected[name].as_f64().expect("a number");
+    let parts = &forces.components;
+    let longitudinal_scale = value("traction_n").abs() + value("resistance_n").abs();
+    let normal_scale = value("normal_support_n").abs() + value("shear_support_n").abs();
+    [
+        (forces.longitudinal, "longitudinal_force_n", longitudinal_scale),
+        (parts.traction, "traction_n", longitudinal_scale),
+        (parts.resistance, "resistance_n", longitudinal_scale),
+        (forces.normal, "normal_force_n", normal_scale),
+        (parts.normal_support, "normal_support_n", normal_scale),
+        (parts.shear_support, "shear_support_n", normal_scale),
+        (forces.torque, "torque_n_m", value("torque_n_m").abs()),
+    ]
+    .into_iter()
+    .map(|(computed, name, scale)| (computed - value(name)).abs() / scale.max(f64::MIN_POSITIVE))
+    .fold(0.0, f64::max)
+}
+
+fn check(text: &str, at_least: usize) {
+    let cases = cases(text);
+    assert!(cases.len() >= at_least, "only {} cases", cases.len());
+    let mut solved = 0;
+    for (i, case) in cases.iter().enumerate() {
+        let (input, expected) = (&case["input"], &case["expected"]);
+        let name = format!("case {i} {}", case["name"].as_str().unwrap_or(""));
+        let rolling = system_of(input).rolling(slip(input["slip"].as_f64().expect("a slip"))).expect("a rolling wheel");
+        let patch = rolling.contact(input["sinkage_m"].as_f64().expect("a sinkage")).expect("a contact");
+        for (angle, field) in
+            [(patch.angles.entry, "entry_rad"), (patch.angles.peak, "maximum_stress_rad"), (patch.angles.exit, "exit_rad")]
+        {
+            let reference = expected["angles"][field].as_f64().expect("an angle");
+            assert!((angle - reference).abs() <= CLOSED_FORM * patch.angles.entry, "{name}: {field} {angle}, not {reference}");
+        }
+        for method in ["quadrature", "linearised", "explicit"] {
+            let model = model_of(input, method);
+            let forces = model.forces(&patch).expect("forces");
+            let off = deviation(&forces, &expected[method]);
+            assert!(off <= tolerance(method), "{name}, {method}: off by {off:e}, estimated {:e}", forces.integration_error);
+            if let Some(solution) = expected.get("sinkage_for_load") {
+                let load = solution["normal_load_n"].as_f64().expect("a load");
+                let reference = solution[method].as_f64().expect("a sinkage");
+                let carried = model.solve_sinkage(&rolling, load).expect("a balance");
+                let off = (carried.sinkage / reference - 1.0).abs();
+                assert!(off <= SOLVED_SINKAGE, "{name}, {method}: sinkage off by {off:e} after {}", carried.iterations);
+                solved += 1;
+            }
+        }
+    }
+    assert!(solved >= 3 * 10, "only {solved} balances");
+}
+
+#[test]
+fn sixty_random_cases_agree_with_thirty_digits() {
+    check(REFERENCE_CASES, 60);
+}
+
+#[test]
+fn cases_at_the_edges_of_the_model_agree_with_thirty_digits() {
+    check(EDGE_CASES, 50);
+}

@@ -1,0 +1,177 @@
+//! Everything the model refuses, each with the input at fault.
+
+mod common;
+
+use common::{LETTER_LAW, LETTER_SOIL, LETTER_WHEEL, contact, letter, slip, system};
+use terramechanics::{
+    Bekker, Contact, ContactParams, Error, Fault, ForceModel, InvalidInput, Lambda, Method, Operation, Parameter, PeakDepth,
+    PeakRule, PressureSinkage, Sinkage, SinkageExponent, Slip, SlipSweep, Soil, SoilParams, Wheel, WheelParams,
+};
+
+const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+fn at_fault<T: std::fmt::Debug>(result: Result<T, InvalidInput>) -> Vec<Parameter> {
+    result.expect_err("refused").faults.iter().map(|fault| fault.parameter).collect()
+}
+
+#[test]
+fn dimensions_of_the_wheel() {
+    let wheel = |change: fn(&mut WheelParams, f64), value: f64| {
+        let mut params = LETTER_WHEEL;
+        change(&mut params, value);
+        Wheel::new(params)
+    };
+    let radius: fn(&mut WheelParams, f64) = |p, v| p.radius = v;
+    let width: fn(&mut WheelParams, f64) = |p, v| p.width = v;
+    let height: fn(&mut WheelParams, f64) = |p, v| p.lug_height = v;
+    let coefficient: fn(&mut WheelParams, f64) = |p, v| p.lug_coefficient = v;
+    for (change, parameter, bad) in [
+        (radius, Parameter::Radius, [0.0, -1.0]),
+        (width, Parameter::Width, [0.0, -1.0]),
+        (height, Parameter::LugHeight, [-1e-9, -1.0]),
+        (coefficient, Parameter::LugCoefficient, [-0.01, 1.01]),
+    ] {
+        for value in bad.into_iter().chain(NOT_FINITE) {
+            assert_eq!(at_fault(wheel(change, value)), [parameter], "{value}");
+        }
+    }
+}
+
+#[test]
+fn parameters_of_the_soil() {
+    for value in [-1e-9].into_iter().chain(NOT_FINITE) {
+        assert_eq!(at_fault(Soil::new(SoilParams { cohesion: value, ..LETTER_SOIL })), [Parameter::Cohesion]);
+    }
+    for value in [-0.1, std::f64::consts::FRAC_PI_2, 2.0].into_iter().chain(NOT_FINITE) {
+        assert_eq!(at_fault(Soil::new(SoilParams { friction_angle: value, ..LETTER_SOIL })), [Parameter::FrictionAngle]);
+    }
+    for value in [0.0, -0.01].into_iter().chain(NOT_FINITE) {
+        assert_eq!(at_fault(Soil::new(SoilParams { shear_modulus: value, ..LETTER_SOIL })), [Parameter::ShearModulus]);
+    }
+    for value in NOT_FINITE {
+        let law = PressureSinkage::Bekker(Bekker { k_phi: value, ..LETTER_LAW });
+        assert_eq!(at_fault(Soil::new(SoilParams { pressure_sinkage: law, ..LETTER_SOIL })), [Parameter::FrictionalModulus]);
+    }
+}
+
+#[test]
+fn all_faults_are_named_at_once() {
+    let faults = at_fault(Wheel::new(WheelParams { radius: -1.0, width: f64::NAN, lug_height: 0.0, lug_coefficient: 2.0 }));
+    assert_eq!(faults, [Parameter::Radius, Parameter::Width, Parameter::LugCoefficient]);
+}
+
+#[test]
+fn a_modulus_that_is_not_positive_on_this_wheel() {
+    let law = PressureSinkage::Bekker(Bekker { k_c: -100_000.0, ..LETTER_LAW }); // positive only for b > 0.1326 m
+    let soil = SoilParams { pressure_sinkage: law, ..LETTER_SOIL };
+    let refused = system(LETTER_WHEEL, soil, Contact::MIDPOINT).rolling(slip(0.2));
+    assert!(matches!(refused, Err(Error::ModulusNotPositive { modulus }) if modulus < 0.0));
+    assert!(system(WheelParams { width: 0.2, ..LETTER_WHEEL }, soil, Contact::MIDPOINT).rolling(slip(0.2)).is_ok());
+}
+
+#[test]
+fn an_exponent_that_is_not_positive() {
+    let exponent = SinkageExponent { base: 0.5, slip_gain: 1.0 };
+    let soil = SoilParams { pressure_sinkage: PressureSinkage::Bekker(Bekker { exponent, ..LETTER_LAW }), ..LETTER_SOIL };
+    let system = system(LETTER_WHEEL, soil, Contact::MIDPOINT);
+    assert_eq!(system.rolling(slip(-0.5)), Err(Error::ExponentNotPositive { exponent: 0.0 }));
+    assert!(system.rolling(slip(-0.4)).is_ok());
+}
+
+#[test]
+fn slip_outside_its_range() {
+    for value in [-1.0 - 1e-12, 1.0 + 1e-12].into_iter().chain(NOT_FINITE) {
+        assert!(matches!(Slip::new(value), Err(Error::Invalid(Fault { parameter: Parameter::Slip, .. }))));
+    }
+}
+
+#[test]
+fn sinkage_outside_the_wheel() {
+    let rolling = letter().rolling(slip(0.2)).expect("a rolling wheel");
+    for sinkage in [0.0, -0.01, 0.2 + 1e-12].into_iter().chain(NOT_FINITE) {
+        assert!(matches!(rolling.contact(sinkage), Err(Error::SinkageOutsideWheel { .. })), "{sinkage}");
+    }
+    assert!(rolling.contact(0.2).is_ok());
+}
+
+#[test]
+fn a_peak_outside_the_contact() {
+    for (rule, exit_ratio) in [
+        (PeakRule::WongReece { c1: 1.0, c2: 0.0 }, 0.0),
+        (PeakRule::WongReece { c1: 0.9, c2: 0.5 }, 0.0),
+        (PeakRule::WongReece { c1: 0.2, c2: -1.0 }, 0.0),
+        (PeakRule::WongReece { c1: 0.2, c2: 0.0 }, 0.3),
+        (PeakRule::HalfSinkage, 0.8),
+    ] {
+        let rolling = system(LETTER_WHEEL, LETTER_SOIL, contact(rule, exit_ratio)).rolling(slip(0.3)).expect("a rolling wheel");
+        assert!(matches!(rolling.contact(0.02), Err(Error::PeakOutsideContact { .. })), "{rule:?}");
+    }
+    for exit_ratio in [-1.0 - 1e-9, 1.0].into_iter().chain(NOT_FINITE) {
+        assert_eq!(at_fault(Contact::new(ContactParams { rule: PeakRule::Midpoint, exit_ratio })), [Parameter::ExitRatio]);
+    }
+}
+
+#[test]
+fn a_load_that_is_none_or_beyond_what_the_soil_carries() {
+    let rolling = letter().rolling(slip(0.2)).expect("a rolling wheel");
+    for method in [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT] {
+        let model = ForceModel::at_rim(method);
+        for load in [0.0, -1.0].into_iter().chain(NOT_FINITE) {
+            let refused = model.solve_sinkage(&rolling, load);
+            assert!(matches!(refused, Err(Error::Invalid(Fault { parameter: Parameter::NormalLoad, .. }))));
+        }
+        let largest_carried = model.forces(&rolling.contact(0.2).expect("to the axle")).expect("forces").normal;
+        let Err(Error::LoadBeyondCapacity { load, largest, sinkage }) = model.solve_sinkage(&rolling, 1.001 * largest_carried)
+        else {
+            panic!("a load beyond the soil's is refused");
+        };
+        assert_eq!((load, largest, sinkage), (1.001 * largest_carried, largest_carried, 0.2));
+        let carried = model.solve_sinkage(&rolling, 0.999 * largest_carried).expect("just carried");
+        assert!(carried.sinkage < 0.2 && carried.sinkage > 0.199);
+    }
+}
+
+#[test]
+fn a_lambda_that_is_not_finite() {
+    let rolling = letter().rolling(slip(0.2)).expect("a rolling wheel");
+    let patch = rolling.contact(0.02).expect("a contact");
+    for value in NOT_FINITE {
+        let method = Method::Explicit { peak_depth: PeakDepth::Half, lambda_a: Lambda::Exact, lambda_b: Lambda::Given(value) };
+        let refused = ForceModel::at_rim(method).forces(&patch);
+        assert!(matches!(refused, Err(Error::Invalid(Fault { parameter: Parameter::LambdaB, .. }))));
+    }
+}
+
+#[test]
+fn a_result_that_overflows() {
+    let law = PressureSinkage::Bekker(Bekker { k_phi: 1e308, ..LETTER_LAW });
+    let soil = SoilParams { pressure_sinkage: law, friction_angle: 1.57, ..LETTER_SOIL };
+    let rolling =
+        system(WheelParams { width: 1e6, ..LETTER_WHEEL }, soil, Contact::MIDPOINT).rolling(slip(0.2)).expect("a wheel");
+    let patch = rolling.contact(0.2).expect("a contact");
+    for method in [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT] {
+        assert_eq!(ForceModel::at_rim(method).forces(&patch), Err(Error::NotFinite));
+    }
+}
+
+#[test]
+fn a_sweep_names_its_gaps_and_fills_the_rest() {
+    let contact = contact(PeakRule::WongReece { c1: 0.5, c2: 1.0 }, 0.0); // outside the contact from s = 0.5 on
+    let system = system(LETTER_WHEEL, LETTER_SOIL, contact);
+    let operation = Operation { system, model: ForceModel::at_rim(Method::Quadrature), sinkage: Sinkage::CarryingLoad(50.0) };
+    let slips: Vec<Slip> = [-0.2, 0.0, 0.2, 0.4, 0.5, 0.9].map(slip).to_vec();
+    let sweep = SlipSweep::of(&operation, &slips);
+    assert_eq!(sweep.gaps.iter().map(|gap| gap.row).collect::<Vec<_>>(), [4, 5]);
+    assert!(sweep.gaps.iter().all(|gap| matches!(gap.error, Error::PeakOutsideContact { .. })));
+    for (row, &slip) in slips.iter().enumerate() {
+        assert_eq!(sweep.slip[row], slip.ratio());
+        match operation.at(slip) {
+            Ok(point) => assert_eq!(
+                (sweep.sinkage[row], sweep.longitudinal[row], sweep.torque[row]),
+                (point.sinkage, point.forces.longitudinal, point.forces.torque)
+            ),
+            Err(_) => assert!(sweep.sinkage[row].is_nan() && sweep.torque[row].is_nan()),
+        }
+    }
+    assert!(sweep.tractive_efficiency[0].is_nan() && sweep.drawbar_coefficient[0].is_finite(), "braking has no efficiency");
+}

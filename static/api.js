@@ -1,0 +1,73 @@
+// Requests to the service, and the two ways they fail: a problem (the service says what is wrong) or no usable answer.
+
+const PATIENCE_MS = 20_000;
+const PASSING_STATUSES = [408, 429, 500, 502, 503, 504];
+
+export class Problem extends Error {
+  constructor({ title, detail, errors }, status) {
+    super(detail ?? title ?? `The service answered with status ${status}.`);
+    this.status = status;
+    this.errors = Array.isArray(errors) ? errors : [];
+  }
+}
+
+/** Worth another try: the network is down, the service is starting, or it is busy. */
+export class Unavailable extends Error {
+  constructor(message, retryAfterSeconds = null) {
+    super(message);
+    this.retryAfterSeconds = retryAfterSeconds;
+  }
+}
+
+async function answer(path, request, signal) {
+  const patience = new AbortController();
+  const giveUp = () => patience.abort();
+  const timer = setTimeout(giveUp, PATIENCE_MS);
+  signal?.addEventListener("abort", giveUp);
+  try {
+    const response = await fetch(path, { ...request, signal: patience.signal });
+    if (PASSING_STATUSES.includes(response.status)) {
+      throw new Unavailable(`The service answered with status ${response.status}.`, Number(response.headers.get("Retry-After")) || null);
+    }
+    if (!response.ok) throw new Problem(await response.json().catch(() => ({})), response.status);
+    return { response, text: await response.text() };
+  } catch (error) {
+    if (signal?.aborted || error instanceof Problem || error instanceof Unavailable) throw error;
+    throw new Unavailable(patience.signal.aborted ? "The service takes too long to answer." : "The service cannot be reached.");
+  } finally {
+    clearTimeout(timer);
+    signal?.removeEventListener("abort", giveUp);
+  }
+}
+
+const posted = (body, accept) => ({
+  method: "POST",
+  headers: { "Content-Type": "application/json", Accept: accept },
+  body: JSON.stringify(body),
+});
+
+export async function post(path, body, signal) {
+  return JSON.parse((await answer(path, posted(body, "application/json"), signal)).text);
+}
+
+export async function postForCsv(path, body) {
+  return (await answer(path, posted(body, "text/csv"))).text;
+}
+
+export async function catalogueOf() {
+  const [wheels, soils] = await Promise.all(
+    ["wheels", "soils"].map(async (kind) => JSON.parse((await answer(`/v1/${kind}`, {})).text)[kind]));
+  const byId = (entries) => new Map(entries.map((entry) => [entry.id, entry]));
+  return { wheels: byId(wheels), soils: byId(soils) };
+}
+
+const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
+
+/** A shell command that sends the same request. */
+export function curlCommand(path, body) {
+  return [
+    `curl -sS ${quoted(location.origin + path)}`,
+    `  -H ${quoted("Content-Type: application/json")}`,
+    `  -d ${quoted(JSON.stringify(body))}`,
+  ].join(" \\\n");
+}

@@ -1,0 +1,53 @@
+// Scales and ticks: which round numbers an axis shows, and how they are written.
+
+import { fixed } from "./format.js";
+
+const STEPS = [1, 2, 2.5, 5, 10];
+
+function roundStep(span, count) {
+  const rough = span / Math.max(1, count);
+  const decade = 10 ** Math.floor(Math.log10(rough));
+  return STEPS.find((step) => step * decade >= rough * (1 - 1e-9)) * decade;
+}
+
+export function linearScale([from, to], [start, end]) {
+  const slope = (end - start) / (to - from);
+  const scale = (value) => start + (value - from) * slope;
+  scale.invert = (position) => from + (position - start) / slope;
+  return scale;
+}
+
+/** At most about `count` round ticks within the domain. */
+export function ticksWithin([from, to], count) {
+  const step = roundStep(to - from, count);
+  const first = Math.ceil(from / step - 1e-9);
+  const last = Math.floor(to / step + 1e-9);
+  const decimals = decimalsOf(step);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, index) => {
+    const value = (first + index) * step;
+    return { value, text: fixed(value, decimals) };
+  });
+}
+
+function decimalsOf(step) {
+  for (let decimals = 0; decimals < 12; decimals += 1) {
+    const shifted = step * 10 ** decimals;
+    if (Math.abs(shifted - Math.round(shifted)) < 1e-6 * shifted) return decimals;
+  }
+  return 12;
+}
+
+/** The smallest domain of whole ticks that holds zero and all values; `limits` cut it where a curve runs away. */
+export function roundDomain(values, count, limits = {}) {
+  let low = 0;
+  let high = 0;
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  low = Math.max(low, limits.min ?? low);
+  high = Math.min(high, limits.max ?? high);
+  if (low === high) high = low + 1;
+  const step = roundStep(high - low, count);
+  return [Math.floor(low / step + 1e-9) * step, Math.ceil(high / step - 1e-9) * step];
+}

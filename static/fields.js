@@ -1,0 +1,135 @@
+// The numbers a person can set: where each sits in the API's request, its unit on the page, and what it follows untouched.
+
+/** A shown unit that differs from the API's by a power of ten; `si` tells people how the API counts. */
+const power = (text, exponent, si = "") => ({
+  text,
+  si,
+  // Shifting the decimal point in the text keeps 20 mm at exactly 0.02 in the request; dividing would not always.
+  toSi: (plain) => {
+    const [mantissa, own = "0"] = plain.toLowerCase().split("e");
+    return Number(`${mantissa}e${Number(own) + exponent}`);
+  },
+  fromSi: (value) => Number(value) * 10 ** -exponent,
+});
+
+const ONE = power("", 0);
+const PERCENT = power("%", -2, "as a ratio");
+const NEWTON = power("N", 0);
+const MILLIMETRE = power("mm", -3, "in m");
+const KILOPASCAL = power("kPa", 3, "in Pa");
+const DEGREE = {
+  text: "°",
+  si: "in rad",
+  toSi: (plain) => (Number(plain) * Math.PI) / 180,
+  fromSi: (value) => (value * 180) / Math.PI,
+};
+
+const SHOWN_DIGITS = 6;
+const DEFAULT_LOAD_N = 90;
+
+const range = (min, max, step) => () => ({ min, max, step });
+
+function roundedUp(value) {
+  const decade = 10 ** Math.floor(Math.log10(value));
+  return Math.ceil(value / decade) * decade;
+}
+
+/** Sinkages beyond half the radius can be typed; the slider keeps its resolution for the usual ones. */
+function sinkageRange({ radius }) {
+  const max = Math.max(1, Math.round((radius ?? 0.2) * 500));
+  return { min: 0.5, max, step: 0.5 };
+}
+
+function loadRange({ wheel }) {
+  const max = roundedUp(4 * (wheel?.values?.nominal_load_n?.value ?? DEFAULT_LOAD_N));
+  return { min: max / 400, max, step: max / 400 };
+}
+
+/**
+ * `key` in the address, `name` of the input, `pointer` in the request, `base` the value while untouched (SI, or undefined
+ * where the catalogue has none), `slider` its range in the shown unit.
+ */
+export const FIELDS = [
+  { group: "slip", key: "slip_pct", name: "slip", pointer: "/slip", label: "Slip", symbol: "s", unit: PERCENT, signed: true,
+    base: () => 0.2, slider: ({ braking }) => ({ min: braking ? -100 : 0, max: 100, step: 1 }) },
+  { group: "sinkage", key: "sinkage_mm", name: "sinkage", pointer: "/sinkage_m", label: "Sinkage", symbol: "z", unit: MILLIMETRE,
+    base: () => 0.02, slider: sinkageRange },
+  { group: "load", key: "load_n", name: "normal_load", pointer: "/normal_load_n", label: "Normal load", symbol: "W", unit: NEWTON,
+    base: ({ wheel }) => wheel?.values?.nominal_load_n?.value ?? DEFAULT_LOAD_N, slider: loadRange },
+  { group: "static", key: "static_mm", name: "static_sinkage", pointer: "/static_sinkage_m", label: "Static sinkage", symbol: "z_0", unit: MILLIMETRE,
+    base: () => 0.01, slider: sinkageRange },
+
+  { group: "wheel", key: "radius_mm", name: "radius", pointer: "/wheel/radius_m", label: "Radius", symbol: "r", unit: MILLIMETRE,
+    base: ({ wheel }) => wheel?.wheel.radius_m, slider: range(20, 600, 1) },
+  { group: "wheel", key: "width_mm", name: "width", pointer: "/wheel/width_m", label: "Width", symbol: "b", unit: MILLIMETRE,
+    base: ({ wheel }) => wheel?.wheel.width_m, slider: range(10, 500, 1) },
+  { group: "wheel", key: "lug_mm", name: "lug_height", pointer: "/wheel/lug_height_m", label: "Lug height", symbol: "h", unit: MILLIMETRE,
+    base: ({ wheel }) => wheel?.wheel.lug_height_m ?? 0, slider: range(0, 50, 0.5) },
+  { group: "wheel", key: "lug_coef", name: "lug_coefficient", pointer: "/wheel/lug_coefficient", label: "Lug coefficient", symbol: "λ_s", unit: ONE,
+    base: ({ wheel }) => wheel?.wheel.lug_coefficient ?? 0.5, slider: range(0, 1, 0.05) },
+
+  { group: "strength", key: "c_kpa", name: "cohesion", pointer: "/soil/cohesion_pa", label: "Cohesion", symbol: "c", unit: KILOPASCAL,
+    base: ({ soil }) => soil?.soil.cohesion_pa, slider: range(0, 10, 0.05) },
+  { group: "strength", key: "phi_deg", name: "friction_angle", pointer: "/soil/friction_angle_rad", label: "Friction angle", symbol: "φ", unit: DEGREE,
+    base: ({ soil }) => soil?.soil.friction_angle_rad, slider: range(0, 60, 0.5) },
+  { group: "strength", key: "k_mm", name: "shear_modulus", pointer: "/soil/shear_modulus_m", label: "Shear modulus", symbol: "K", unit: MILLIMETRE,
+    base: ({ soil }) => soil?.soil.shear_modulus_m, slider: range(0.5, 50, 0.5) },
+
+  { group: "bekker", key: "kc", name: "bekker_k_c", pointer: "/soil/pressure_sinkage/k_c", label: "Cohesive modulus", symbol: "k_c", unit: power("kN/mⁿ⁺¹", 3, "in N/mⁿ⁺¹"), signed: true,
+    base: ({ pressureSinkage }) => pressureSinkage.k_c },
+  { group: "bekker", key: "kphi", name: "bekker_k_phi", pointer: "/soil/pressure_sinkage/k_phi", label: "Frictional modulus", symbol: "k_φ", unit: power("kN/mⁿ⁺²", 3, "in N/mⁿ⁺²"), signed: true,
+    base: ({ pressureSinkage }) => pressureSinkage.k_phi },
+  { group: "direct", key: "ks", name: "k_s", pointer: "/soil/pressure_sinkage/k_s", label: "Sinkage modulus", symbol: "K_s", unit: power("kPa/mⁿ", 3, "in Pa/mⁿ"),
+    base: ({ pressureSinkage }) => pressureSinkage.k_s },
+  { group: "reece", key: "kc_reece", name: "reece_k_c", pointer: "/soil/pressure_sinkage/k_c", label: "Cohesive modulus", symbol: "k_c′", unit: ONE, signed: true,
+    base: ({ pressureSinkage }) => pressureSinkage.k_c },
+  { group: "reece", key: "kphi_reece", name: "reece_k_phi", pointer: "/soil/pressure_sinkage/k_phi", label: "Frictional modulus", symbol: "k_φ′", unit: ONE, signed: true,
+    base: ({ pressureSinkage }) => pressureSinkage.k_phi },
+  { group: "reece", key: "gamma_kn_m3", name: "unit_weight", pointer: "/soil/pressure_sinkage/unit_weight_n_m3", label: "Unit weight", symbol: "γ", unit: power("kN/m³", 3, "in N/m³"),
+    base: ({ pressureSinkage }) => pressureSinkage.unit_weight_n_m3 },
+  { group: "diameter", key: "k_diameter", name: "diameter_k", pointer: "/soil/pressure_sinkage/k", label: "Modulus", symbol: "k", unit: power("kPa/mⁿ⁺ᵐ", 3, "in Pa/mⁿ⁺ᵐ"),
+    base: ({ pressureSinkage }) => pressureSinkage.k },
+  { group: "diameter", key: "m_diameter", name: "diameter_m", pointer: "/soil/pressure_sinkage/m", label: "Diameter exponent", symbol: "m", unit: ONE, signed: true,
+    base: ({ pressureSinkage }) => pressureSinkage.m },
+  { group: "exponent", key: "n0", name: "n0", pointer: "/soil/pressure_sinkage/n0", label: "Sinkage exponent", symbol: "n_0", unit: ONE,
+    base: ({ pressureSinkage }) => pressureSinkage.n0, slider: range(0.05, 2, 0.01) },
+  { group: "exponent", key: "n1", name: "n1", pointer: "/soil/pressure_sinkage/n1", label: "Its gain with slip", symbol: "n_1", unit: ONE, signed: true,
+    base: ({ pressureSinkage }) => pressureSinkage.n1 ?? 0, slider: range(-0.5, 1.5, 0.01) },
+
+  { group: "wong_reece", key: "c1", name: "c1", pointer: "/contact/c1", label: "Position of the peak", symbol: "c_1", unit: ONE, signed: true,
+    base: ({ contact }) => contact.c1 ?? 0.4, slider: range(0, 1, 0.01) },
+  { group: "wong_reece", key: "c2", name: "c2", pointer: "/contact/c2", label: "Its gain with slip", symbol: "c_2", unit: ONE, signed: true,
+    base: ({ contact }) => contact.c2 ?? 0.1, slider: range(-0.5, 0.5, 0.01) },
+  { group: "contact", key: "c3", name: "c3", pointer: "/contact/c3", label: "Exit over entry angle", symbol: "c_3", unit: ONE, signed: true,
+    base: ({ contact }) => contact.c3 ?? 0, slider: range(-1, 0, 0.01) },
+  { group: "explicit", key: "lambda_a", name: "lambda_a", pointer: "/lambda_a", label: "Fitting constant of A", symbol: "λ_A", unit: ONE, signed: true, word: "exact",
+    base: () => 0 },
+  { group: "explicit", key: "lambda_b", name: "lambda_b", pointer: "/lambda_b", label: "Fitting constant of B", symbol: "λ_B", unit: ONE, signed: true, word: "exact",
+    base: () => 0 },
+];
+
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** The SI value of typed text, the field's word if it takes one, or null if it is neither. */
+export function siFromText(field, text) {
+  const plain = text.trim().replace(",", ".").replace("\u2212", "-");
+  if (field.word && plain.toLowerCase() === field.word) return field.word;
+  if (!NUMBER.test(plain)) return null;
+  const value = field.unit.toSi(plain);
+  return Number.isFinite(value) ? value : null;
+}
+
+/** What the box shows while the field follows its preset. */
+export function baseText(field, context) {
+  const base = field.base(context);
+  return base === undefined || base === null ? "" : String(Number(field.unit.fromSi(base).toPrecision(SHOWN_DIGITS)));
+}
+
+export const shownText = (field, state, context) => state[field.key] ?? baseText(field, context);
+
+/** The range of a field's slider, widened where the preset's own value lies beyond it. */
+export function sliderRange(field, context) {
+  const { min, max, step } = field.slider(context);
+  const base = Number(baseText(field, context));
+  return { min, max: base > max ? roundedUp(2 * base) : max, step };
+}

@@ -1,0 +1,128 @@
+// From the person's choices and the catalogue to the bodies of the API's requests.
+
+import { FIELDS, baseText, siFromText } from "./fields.js";
+
+const PROFILE_POINTS = 201;
+const SWEEP_POINTS = 101;
+const GIVEN = { sinkage: "sinkage_m", load: "normal_load_n", static: "static_sinkage_m" };
+const METHODS = ["quadrature", "linearised", "explicit"];
+const CLOSED_FORMS = ["linearised", "explicit"];
+const LAW_GROUPS = ["bekker", "direct", "reece", "diameter"];
+
+/** What untouched fields follow: the chosen entries of the catalogue and the laws in force. */
+export function contextOf(state, catalogue) {
+  const wheel = catalogue.wheels.get(state.wheel);
+  const soil = catalogue.soils.get(state.soil);
+  const ownPressureSinkage = soil?.soil.pressure_sinkage ?? { law: "bekker" };
+  const law = state.law ?? ownPressureSinkage.law;
+  const ownContact = soil?.contact ?? { rule: "midpoint" };
+  const rule = state.rule ?? ownContact.rule;
+  const context = {
+    wheel,
+    soil,
+    law,
+    rule,
+    followedLaw: ownPressureSinkage.law,
+    followedRule: ownContact.rule,
+    // The moduli of one law mean nothing to another; the exponents do.
+    pressureSinkage: law === ownPressureSinkage.law ? ownPressureSinkage : { n0: ownPressureSinkage.n0, n1: ownPressureSinkage.n1 },
+    contact: ownContact,
+    braking: state.braking !== "",
+  };
+  const radius = FIELDS.find((field) => field.name === "radius");
+  context.radius = state[radius.key] === null ? wheel?.wheel.radius_m : siFromText(radius, state[radius.key]);
+  return context;
+}
+
+/** The groups of fields that matter now; the others are neither shown nor sent. */
+export function activeGroups(state, context) {
+  const groups = new Set(["slip", state.by, "wheel", "strength", "exponent", context.law, "contact", "explicit"]);
+  if (context.rule === "wong_reece") groups.add("wong_reece");
+  return groups;
+}
+
+const lastPart = (pointer) => pointer.slice(pointer.lastIndexOf("/") + 1);
+
+/**
+ * Everything a round of requests needs. `unreadable` lists the pointers of fields whose text is no number: such a state
+ * has no request. All readable values go out as they are, in range or not: judging them is the API's part.
+ */
+export function settingsOf(state, catalogue) {
+  const context = contextOf(state, catalogue);
+  const groups = activeGroups(state, context);
+  const active = FIELDS.filter((field) => groups.has(field.group));
+  const unreadable = [];
+  const values = new Map();
+  for (const field of active) {
+    const text = state[field.key];
+    if (text === null) continue;
+    const value = siFromText(field, text);
+    if (value === null) unreadable.push({ pointer: field.pointer, usual: baseText(field, context), word: field.word });
+    else values.set(field.name, value);
+  }
+
+  const valueOf = (field) => values.get(field.name) ?? field.base(context) ?? undefined;
+  const touched = (group) => active.filter((field) => field.group === group && values.has(field.name));
+  const overrides = (group) => Object.fromEntries(touched(group).map((field) => [lastPart(field.pointer), valueOf(field)]));
+  const complete = (names) => Object.fromEntries(
+    active.filter((field) => names.includes(field.group)).map((field) => [lastPart(field.pointer), valueOf(field)]));
+
+  const soil = { preset: state.soil, ...overrides("strength") };
+  // The API replaces the law as a whole, so one changed modulus takes the preset's others along.
+  if (state.law !== null || touched(context.law).length || touched("exponent").length) {
+    soil.pressure_sinkage = { law: context.law, ...complete(LAW_GROUPS), ...complete(["exponent"]) };
+  }
+  const common = { wheel: { preset: state.wheel, ...overrides("wheel") }, soil };
+  if (state.rule !== null || touched("wong_reece").length || touched("contact").length) {
+    common.contact = { rule: context.rule, ...complete(["wong_reece", "contact"]) };
+  }
+
+  return {
+    unreadable,
+    common,
+    slip: complete(["slip"]).slip,
+    given: complete([state.by]),
+    givenName: GIVEN[state.by],
+    method: state.method,
+    methods: state.compare && METHODS.includes(state.method) ? METHODS : [state.method],
+    normalStressRadius: state.normal_stress_radius,
+    peakSinkage: state.peak_sinkage,
+    lambdas: overrides("explicit"),
+    braking: context.braking,
+    drawing: {
+      radius: context.radius,
+      lugHeight: complete(["wheel"]).lug_height_m ?? 0,
+      lugCount: context.wheel?.values?.lug_count?.value ?? null,
+    },
+  };
+}
+
+function options(settings, method) {
+  return {
+    ...(settings.normalStressRadius !== "rim" && { normal_stress_radius: settings.normalStressRadius }),
+    ...(settings.peakSinkage && CLOSED_FORMS.includes(method) && { peak_sinkage: settings.peakSinkage }),
+    ...(method === "explicit" && settings.lambdas),
+  };
+}
+
+export function forcesBody(settings, method) {
+  return { ...settings.common, slip: settings.slip, ...settings.given, method, ...options(settings, method) };
+}
+
+/** Over driving slips, and over braking ones too when these are wanted or the slip itself is one. */
+export function sweepBody(settings, method) {
+  const from = settings.braking || settings.slip < 0 ? -1 : 0;
+  return { ...forcesBody(settings, method), slip: { from, to: 1, points: SWEEP_POINTS } };
+}
+
+/** `sinkage` stands in for a load: the profile then belongs to the sinkage that the chosen method found. */
+export function profileBody(settings, sinkage) {
+  const given = sinkage === undefined ? settings.given : { sinkage_m: sinkage };
+  return {
+    ...settings.common,
+    slip: settings.slip,
+    ...given,
+    ...(settings.peakSinkage && { peak_sinkage: settings.peakSinkage }),
+    points: PROFILE_POINTS,
+  };
+}

@@ -1,0 +1,40 @@
+// What the person has chosen, and its form in the address bar.
+//
+// Choices hold a value always; fields hold the text as typed, or null while they follow their preset. The address holds
+// only what differs from the defaults, in the units on the page, so that an address can be read and written by hand:
+// ?wheel=msl-curiosity&soil=wong-dry-sand&by=load&slip_pct=30&c_kpa=0.5
+
+import { FIELDS } from "./fields.js";
+
+const CHOICES = {
+  wheel: "letter",
+  soil: "letter-sand",
+  method: "quadrature",
+  by: "sinkage",
+  compare: "",
+  braking: "",
+  law: null,
+  rule: null,
+  normal_stress_radius: "rim",
+  peak_sinkage: "",
+  fourth: "tractive_efficiency",
+};
+
+export const DEFAULTS = { ...CHOICES, ...Object.fromEntries(FIELDS.map((field) => [field.key, null])) };
+
+export function stateFromQuery(query) {
+  const state = { ...DEFAULTS };
+  for (const [key, value] of new URLSearchParams(query)) {
+    if (key in DEFAULTS) state[key] = value;
+  }
+  return state;
+}
+
+export function queryFromState(state) {
+  const query = new URLSearchParams();
+  for (const [key, usual] of Object.entries(DEFAULTS)) {
+    if (state[key] !== usual) query.set(key, state[key]);
+  }
+  const text = query.toString();
+  return text ? `?${text}` : "";
+}
