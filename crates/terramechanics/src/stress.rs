@@ -250,6 +250,14 @@ impl ContactPatch<'_> {
         Stresses { normal, shear: self.mobilisation(point) * self.rolling.shear_strength(normal) }
     }
 
+    /// Arc [rad] behind the entry over which E changes e-fold: K/(dj/dδ) at the entry. Infinite on a locked wheel, whose E is
+    /// constant.
+    pub(crate) fn shear_layer(&self) -> f64 {
+        let Rolling { velocity_ratio, system, slip, .. } = self.rolling;
+        let growth = system.wheel.radius() * (1.0 - velocity_ratio * self.cos_entry).abs();
+        if slip.is_locked() { f64::INFINITY } else { 1.0 / (growth * system.soil.shear().per_modulus) }
+    }
+
     /// Arcs δ = θ1 − θ [rad] behind the entry, ascending, at which j changes sign: only on a braking wheel, at most two,
     /// the second only behind the lowest point.
     ///

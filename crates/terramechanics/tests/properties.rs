@@ -37,7 +37,7 @@ impl Case {
 fn rules() -> impl Strategy<Value = PeakRule> {
     prop_oneof![
         Just(PeakRule::Midpoint),
-        (0.3..0.6, -0.1..0.3).prop_map(|(c1, c2)| PeakRule::WongReece { c1, c2 }),
+        (0.35..0.55, -0.1..0.2).prop_map(|(c1, c2)| PeakRule::WongReece { c1, c2 }),
         Just(PeakRule::HalfSinkage),
     ]
 }
@@ -55,10 +55,10 @@ prop_compose! {
         friction_angle in 0.0..1.0,
         log_shear_modulus in -3.3..-1.0,
         log_modulus in 4.0..7.0,
-        base in 0.15..1.8,
+        least_exponent in 0.1..1.8,
         slip_gain in prop_oneof![Just(0.0), 0.0..0.7],
     ) -> SoilParams {
-        let exponent = SinkageExponent { base, slip_gain };
+        let exponent = SinkageExponent { base: least_exponent + slip_gain, slip_gain }; // N > 0 down to s = −1
         let pressure_sinkage = PressureSinkage::Direct(Direct { k_s: 10f64.powf(log_modulus), exponent });
         SoilParams { cohesion, friction_angle, shear_modulus: 10f64.powf(log_shear_modulus), pressure_sinkage }
     }
@@ -104,7 +104,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn mobilised_strength_lies_between_zero_and_one_while_driving(case in cases(-0.9..=0.2), ratio in 0.0..=1.0, share in 0.0..1.0) {
+    fn mobilised_strength_lies_between_zero_and_one_while_driving(case in cases(-0.9..=0.1), ratio in 0.0..=1.0, share in 0.0..1.0) {
         let system = case.system();
         let rolling = system.rolling(slip(ratio)).expect("a rolling wheel");
         let patch = rolling.contact(case.sinkage()).expect("a contact");
@@ -148,7 +148,7 @@ proptest! {
     }
 
     #[test]
-    fn the_four_parts_add_up(case in cases(-0.9..=0.2), ratio in -1.0..=1.0) {
+    fn the_four_parts_add_up(case in cases(-0.9..=0.1), ratio in -1.0..=1.0) {
         for method in METHODS {
             let forces = find(&case.system(), ratio, case.sinkage(), method);
             prop_assert_eq!(forces.longitudinal, forces.components.traction - forces.components.resistance);
@@ -199,15 +199,26 @@ proptest! {
     #[test]
     fn forces_are_continuous_at_zero_slip(case in cases(-0.5..=0.1)) {
         let system = case.system();
+        let step = 1e-12;
+        // |dE/ds| ≤ r (θ1 − θ2)/K and |dσ/ds| ≤ n1 |ln z| σ ≤ 12 σ, on a stress of at most c + σ (1 + tan φ).
+        let at_rest = system.rolling(slip(0.0)).expect("a rolling wheel");
+        let patch = at_rest.contact(case.sinkage()).expect("a contact");
+        let span = patch.angles.entry - patch.angles.exit;
+        let largest_normal = at_rest.sinkage_modulus() * case.sinkage().powf(at_rest.sinkage_exponent());
+        let stress = case.soil.cohesion + largest_normal * (1.0 + case.soil.friction_angle.tan());
+        let force = stress * span * system.wheel.shearing_radius() * case.wheel.width;
+        let change = 2.0 * step * (case.wheel.radius * span / case.soil.shear_modulus + 12.0) * force;
         for method in METHODS {
             let rolling = find(&system, 0.0, case.sinkage(), method);
-            for ratio in [-1e-12, 1e-12] {
+            for ratio in [-step, step] {
                 let near = find(&system, ratio, case.sinkage(), method);
-                // dE/ds is at most r θ/K; the slip is 1e-12.
-                let slope = case.wheel.radius / case.soil.shear_modulus * 4.0 + 10.0;
-                prop_assert!((near.normal - rolling.normal).abs() <= (1e-12 * slope + QUADRATURE) * rolling.normal_scale(), "{method:?}");
-                let scale = rolling.normal_scale() + case.soil.cohesion * case.wheel.radius * case.wheel.width;
-                prop_assert!((near.longitudinal - rolling.longitudinal).abs() <= (1e-12 * slope + QUADRATURE) * scale, "{method:?}");
+                for (a, b, scale) in [
+                    (near.normal, rolling.normal, rolling.normal_scale()),
+                    (near.longitudinal, rolling.longitudinal, rolling.longitudinal_scale()),
+                    (near.torque / case.wheel.radius, rolling.torque / case.wheel.radius, rolling.longitudinal_scale()),
+                ] {
+                    prop_assert!((a - b).abs() <= change + QUADRATURE * scale, "{method:?}: {a} and {b}");
+                }
             }
         }
     }

@@ -9,6 +9,8 @@
 //!   Of u² … u⁶ it needed the fewest points over random wheels and soils.
 //! * 24 points of Gauss–Legendre in u: 48 stresses reach 1e-13 on ordinary driving wheels.
 //! * A braking wheel's E has a jump in its second derivative where j changes sign: the range is split there.
+//! * Where E saturates within a small part of the contact (K thousands of times smaller than the wheel, or a wheel all but
+//!   locked), the range is split behind that layer, which the points might else step over.
 //!
 //! The same points tell how well the stresses are resolved (their highest two Legendre coefficients). Where that is not
 //! enough – a shear modulus thousands of times smaller than the wheel, an exponent near 0 – the worst panel is halved,
@@ -21,6 +23,15 @@ use crate::stress::ContactPatch;
 
 /// Panels after which no more are halved.
 const PANELS: usize = 48;
+
+/// Both ends, a layer of shear and two reversals.
+const MOST_EDGES: usize = 5;
+
+/// Layers of [`ContactPatch::shear_layer`] after which E is saturated: e^−20 = 2e-9 of a small share is left.
+const LAYERS: f64 = 20.0;
+
+/// Share of the range of u that the layer has to fall short of, to be split off; else the 24 points resolve it.
+const THIN: f64 = 0.7;
 
 /// Relative error at which refining stops.
 const TOLERANCE: f64 = 1e-10;
@@ -106,7 +117,7 @@ struct Panel {
 fn integrate(patch: &ContactPatch<'_>) -> Sums {
     let rim = Rim::of(patch);
     let (edges, count) = rim.edges();
-    let mut few = [Panel::default(); 3];
+    let mut few = [Panel::default(); MOST_EDGES - 1];
     let panels = &mut few[..count - 1];
     for (panel, edge) in panels.iter_mut().zip(edges.windows(2)) {
         *panel = rim.panel(edge[0], edge[1]);
@@ -167,17 +178,20 @@ impl<'a> Rim<'a> {
         Self { patch, front: entry - peak, rear: peak - exit, whole: entry - exit }
     }
 
-    /// Ends of the panels in u, ascending: 0, the places where j changes sign, 1.
-    fn edges(&self) -> ([f64; 4], usize) {
-        let mut edges = [0.0; 4];
+    /// Ends of the panels in u, ascending: 0, the end of a thin layer of shear, the places where j changes sign, 1.
+    fn edges(&self) -> ([f64; MOST_EDGES], usize) {
+        let mut edges = [0.0; MOST_EDGES];
         let mut count = 1;
-        for &arc in self.patch.shear_reversals().arcs() {
-            let t = if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear };
+        let mut split = |t: f64, below: f64| {
             let u = t.sqrt().sqrt();
-            if u > 0.0 && u < 1.0 {
+            if u > 0.0 && u < below {
                 edges[count] = u;
                 count += 1;
             }
+        };
+        split(LAYERS * self.patch.shear_layer() / self.front, THIN);
+        for &arc in self.patch.shear_reversals().arcs() {
+            split(if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear }, 1.0);
         }
         edges[count] = 1.0;
         count += 1;

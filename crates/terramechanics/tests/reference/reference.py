@@ -246,7 +246,11 @@ class Wheel:
         return sums, magnitudes
 
     def quadrature(self, z, rule=None):
-        """(10). Without a rule: by both fine rules, which have to agree."""
+        """(10). Without a rule: by both fine rules, which have to agree.
+
+        What they cannot tell from zero is zero: at theta_2 = -theta_1 and theta_m = 0 the normal
+        stress is symmetric, and its resistance vanishes.
+        """
         contact = self.contact(z)
         sums, magnitudes = self.integrals(contact, rule or FINE)
         if rule is None:
@@ -255,6 +259,8 @@ class Wheel:
                 if abs(value - others[name]) > AGREEMENT * magnitudes[name]:
                     deviation = abs(value - others[name]) / magnitudes[name]
                     raise Failure(f"{name}: the rules differ by {mp.nstr(deviation, 3)}")
+                if abs(value) < AGREEMENT * magnitudes[name]:
+                    sums[name] = mpf(0)
         return result(
             traction=self.r_s * self.b * sums["tau_cos"],
             resistance=self.r_n * self.b * sums["sigma_sin"],
