@@ -1,1 +1,97 @@
-fn main() {}
+//! The program: settings, log, runtime, server.
+
+use std::io::{Read, Write};
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
+use std::process::ExitCode;
+use std::time::Duration;
+
+use clap::Parser;
+use terramechanics_server::config::{Command, Config, LogFormat, Serve, check_environment};
+use terramechanics_server::server::{Bounds, serve, told_to_stop};
+use terramechanics_server::{Service, app, openapi_text};
+use tokio::net::TcpListener;
+use tracing_subscriber::EnvFilter;
+
+/// Steadier memory under load than the system's allocator.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
+fn main() -> ExitCode {
+    let config = Config::parse();
+    let result = match config.command {
+        Some(Command::Openapi) => std::io::stdout().write_all(openapi_text().as_bytes()).map_err(|error| error.to_string()),
+        Some(Command::Healthcheck { listen, timeout }) => healthcheck(listen, Duration::from_secs(timeout)),
+        None => check_environment(std::env::vars_os().filter_map(|(name, _)| name.into_string().ok()))
+            .and_then(|()| run(&config.serve)),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            let _ = writeln!(std::io::stderr(), "error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(settings: &Serve) -> Result<(), String> {
+    start_log(settings)?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .worker_threads(settings.workers)
+        .max_blocking_threads(settings.compute_threads)
+        .enable_all()
+        .build()
+        .map_err(|error| format!("no runtime: {error}"))?;
+    runtime.block_on(async {
+        let listener =
+            TcpListener::bind(settings.listen).await.map_err(|error| format!("cannot listen on {}: {error}", settings.listen))?;
+        let address = listener.local_addr().map_err(|error| error.to_string())?;
+        let stop = told_to_stop().map_err(|error| format!("cannot listen for signals: {error}"))?;
+        let service = Service::new(settings.limits());
+        let app = app(service.clone());
+        let bounds = Bounds {
+            connections: usize::from(settings.max_connections),
+            head_deadline: Duration::from_secs(settings.read_timeout),
+            grace: Duration::from_secs(settings.grace),
+        };
+        let _ = writeln!(std::io::stdout(), "The page is at http://{address}/, the API explorer at http://{address}/docs");
+        tracing::info!(%address, version = env!("CARGO_PKG_VERSION"), "serving");
+        serve(listener, app, service, bounds, stop).await.map_err(|error| error.to_string())
+    })?;
+    // What still computes is bounded, but nobody waits for it any more.
+    runtime.shutdown_background();
+    tracing::info!("stopped");
+    Ok(())
+}
+
+fn start_log(settings: &Serve) -> Result<(), String> {
+    let filter = EnvFilter::try_new(&settings.log).map_err(|error| format!("--log: {error}"))?;
+    let log = tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr);
+    match settings.log_format {
+        LogFormat::Text => log.init(),
+        LogFormat::Json => log.json().flatten_event(true).init(),
+    }
+    Ok(())
+}
+
+/// Asks the server at `listen` whether it is ready.
+fn healthcheck(listen: SocketAddr, timeout: Duration) -> Result<(), String> {
+    let ip = match listen.ip() {
+        IpAddr::V4(ip) if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
+        IpAddr::V6(ip) if ip.is_unspecified() => Ipv6Addr::LOCALHOST.into(),
+        ip => ip,
+    };
+    let ask = || -> std::io::Result<String> {
+        let mut stream = TcpStream::connect_timeout(&SocketAddr::new(ip, listen.port()), timeout)?;
+        stream.set_read_timeout(Some(timeout))?;
+        stream.set_write_timeout(Some(timeout))?;
+        stream.write_all(format!("GET /readyz HTTP/1.1\r\nHost: {listen}\r\nConnection: close\r\n\r\n").as_bytes())?;
+        let mut answer = String::new();
+        stream.take(4096).read_to_string(&mut answer)?;
+        Ok(answer)
+    };
+    match ask() {
+        Ok(answer) if answer.starts_with("HTTP/1.1 200 ") => Ok(()),
+        Ok(answer) => Err(format!("not ready: {}", answer.lines().next().unwrap_or("no answer"))),
+        Err(error) => Err(format!("no answer from {listen}: {error}")),
+    }
+}

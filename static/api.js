@@ -19,7 +19,7 @@ export class Unavailable extends Error {
   }
 }
 
-async function answer(path, request, signal) {
+async function answer(path, request, read, signal) {
   const patience = new AbortController();
   const giveUp = () => patience.abort();
   const timer = setTimeout(giveUp, PATIENCE_MS);
@@ -30,10 +30,10 @@ async function answer(path, request, signal) {
       throw new Unavailable(`The service answered with status ${response.status}.`, Number(response.headers.get("Retry-After")) || null);
     }
     if (!response.ok) throw new Problem(await response.json().catch(() => ({})), response.status);
-    return { response, text: await response.text() };
+    return await read(response);
   } catch (error) {
     if (signal?.aborted || error instanceof Problem || error instanceof Unavailable) throw error;
-    throw new Unavailable(patience.signal.aborted ? "The service takes too long to answer." : "The service cannot be reached.");
+    throw new Unavailable(patience.signal.aborted ? "The service takes too long to answer." : "The service gives no answer.");
   } finally {
     clearTimeout(timer);
     signal?.removeEventListener("abort", giveUp);
@@ -46,17 +46,15 @@ const posted = (body, accept) => ({
   body: JSON.stringify(body),
 });
 
-export async function post(path, body, signal) {
-  return JSON.parse((await answer(path, posted(body, "application/json"), signal)).text);
-}
+const asJson = (response) => response.json();
+const asText = (response) => response.text();
 
-export async function postForCsv(path, body) {
-  return (await answer(path, posted(body, "text/csv"))).text;
-}
+export const post = (path, body, signal) => answer(path, posted(body, "application/json"), asJson, signal);
+
+export const postForCsv = (path, body) => answer(path, posted(body, "text/csv"), asText);
 
 export async function catalogueOf() {
-  const [wheels, soils] = await Promise.all(
-    ["wheels", "soils"].map(async (kind) => JSON.parse((await answer(`/v1/${kind}`, {})).text)[kind]));
+  const [{ wheels }, { soils }] = await Promise.all([answer("/v1/wheels", {}, asJson), answer("/v1/soils", {}, asJson)]);
   const byId = (entries) => new Map(entries.map((entry) => [entry.id, entry]));
   return { wheels: byId(wheels), soils: byId(soils) };
 }

@@ -4,7 +4,8 @@ import { fixed } from "./format.js";
 
 const STEPS = [1, 2, 2.5, 5, 10];
 
-function roundStep(span, count) {
+/** The smallest round number that covers `span` in about `count` steps. */
+export function roundStep(span, count) {
   const rough = span / Math.max(1, count);
   const decade = 10 ** Math.floor(Math.log10(rough));
   return STEPS.find((step) => step * decade >= rough * (1 - 1e-9)) * decade;

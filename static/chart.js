@@ -2,7 +2,7 @@
 // in the legend. It knows nothing of wheels: it is given columns, and draws them.
 
 import { linearScale, roundDomain, ticksWithin } from "./axis.js";
-import { html, svg, svgText, symbolHtml } from "./elements.js";
+import { html, svg, svgText } from "./elements.js";
 
 const CHARACTER_PX = 6.8;
 const LINE_PX = 14;
@@ -52,11 +52,11 @@ function nearestIndex(values, target) {
  *
  * draw() takes {
  *   label: what the chart shows, for those who cannot see it,
- *   x: { values, domain, label, name, format },
- *   y: { unit, limits, format },
+ *   x: { values, domain, label, name, spoken, format },   name in the legend, spoken by screen readers
+ *   y: { unit, limits, missing, format }, limits cut the axis, missing says what a null means
  *   curves: [{ key, name, values }],      key selects colour and dashes in the style sheet
- *   marks: [{ at, label }],               vertical lines
- *   dots: [{ key, at, value }],
+ *   marks: [{ key, at, label }],          vertical lines
+ *   dots: [{ key, at, value }],           single points of the curves with the same key
  *   rest: x at which the legend reads while there is no cursor, or null,
  * }
  */
@@ -78,20 +78,22 @@ export function createChart(host, { onCursor, onPick } = {}) {
 
   function readOut() {
     const index = indexOfCursor();
-    const reading = cursor !== null || spec.rest !== null;
-    const at = cursor === null ? spec.rest : spec.x.values[index];
-    const shown = (curve) => (isNumber(curve.values[index]) ? spec.y.format(curve.values[index]) : "none");
+    const resting = cursor === null;
+    const at = resting ? spec.rest : spec.x.values[index];
+    const textOf = (value) => (isNumber(value) ? spec.y.format(value) : "none");
+    // At rest the chosen point itself is read, which need not be one of the curve's samples.
+    const reading = (curve) => (resting && spec.dots.length ? spec.dots.find(({ key }) => key === curve.key)?.value : curve.values[index]);
     const items = spec.curves.map((curve) =>
       html("li", { "data-curve": curve.key },
         svg("svg", { class: "swatch", viewBox: "0 0 26 8", "aria-hidden": "true" }, svg("path", { class: "curve", "data-style": curve.key, d: "M1 4H25" })),
-        html("span", { class: "curve-name" }, ...symbolHtml(curve.name)),
-        html("output", { class: "reading" }, reading ? shown(curve) : "")));
-    legend.replaceChildren(html("li", { class: "position" }, ...symbolHtml(spec.x.name), " ", reading ? spec.x.format(at) : ""), ...items);
-    legend.classList.toggle("at-cursor", cursor !== null);
+        html("span", {}, curve.name),
+        html("span", { class: "reading" }, at === null ? "" : textOf(reading(curve)))));
+    legend.replaceChildren(html("li", { class: "position" }, spec.x.name, " ", at === null ? "" : spec.x.format(at)), ...items);
+    legend.classList.toggle("at-cursor", !resting);
     plot.setAttribute("aria-valuemax", spec.x.values.length - 1);
     plot.setAttribute("aria-valuenow", index);
     plot.setAttribute("aria-valuetext",
-      [`${spec.x.label} ${spec.x.format(spec.x.values[index])}`, ...spec.curves.map((curve) => `${curve.name.replace("_", " ")} ${shown(curve)}`)].join(", "));
+      [`${spec.x.spoken} ${spec.x.format(spec.x.values[index])}`, ...spec.curves.map((curve) => `${curve.name} ${textOf(curve.values[index])}`)].join(", "));
   }
 
   function drawCursor() {
@@ -230,14 +232,18 @@ export function createChart(host, { onCursor, onPick } = {}) {
   };
 }
 
+/** What the curves do not show: points without a value, and stretches beyond the axis. */
 function gapNote({ curves, y, x }) {
-  const notes = [];
+  const { min = -Infinity, max = Infinity } = y.limits ?? {};
+  const affected = new Map();
+  const tell = (text, curve) => affected.set(text, [...(affected.get(text) ?? []), curve.name]);
   for (const curve of curves) {
     const gaps = curve.values.filter((value) => !isNumber(value)).length;
-    const who = curves.length > 1 ? `${curve.name}: ` : "";
-    if (gaps) notes.push(`${who}${y.missing ?? "no solution"} at ${gaps} of ${x.values.length} points.`);
-    const { min = -Infinity, max = Infinity } = y.limits ?? {};
-    if (curve.values.some((value) => isNumber(value) && (value < min || value > max))) notes.push(`${who}part of the curve lies outside the axis.`);
+    if (gaps) tell(`${y.missing ?? "no solution"} at ${gaps} of ${x.values.length} points`, curve);
+    if (curve.values.some((value) => isNumber(value) && (value < min || value > max))) tell("partly outside the axis", curve);
   }
-  return notes.join(" ");
+  return [...affected].map(([text, names]) => {
+    const sentence = names.length === curves.length ? text : `${names.join(" and ")}: ${text}`;
+    return `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`;
+  }).join(" ");
 }

@@ -3,7 +3,7 @@
 import { html } from "./elements.js";
 import { createFieldRow } from "./field-row.js";
 import { FIELDS } from "./fields.js";
-import { fillPresets, showSource } from "./presets.js";
+import { fillPresets, showGrade } from "./presets.js";
 import { activeGroups } from "./settings.js";
 import { DEFAULTS } from "./state.js";
 
@@ -15,7 +15,6 @@ const SECTIONS = {
   options: { fields: ["wong_reece", "contact", "explicit"], choices: ["rule", "normal_stress_radius", "peak_sinkage"] },
 };
 const PRESET_GROUPS = Object.values(SECTIONS).flatMap((section) => section.fields);
-const LAW_GROUPS = ["bekker", "direct", "reece", "diameter"];
 
 /** Where the fault of each choice is shown; a pointer below one of these belongs to it unless a field claims it. */
 const CHOICE_POINTERS = {
@@ -26,7 +25,7 @@ const CHOICE_POINTERS = {
 /** An address may name what the page does not know. Judging it is the API's part, so it is shown and sent. */
 function choose(select, value) {
   if (![...select.options].some((option) => option.value === value)) {
-    select.append(html("option", { value }, `${value} (unknown)`));
+    select.append(html("option", { value }, value));
   }
   select.value = value;
 }
@@ -84,14 +83,14 @@ export function createControls(form, onChange) {
     const groups = activeGroups(state, context);
     for (const container of form.querySelectorAll("[data-fields]")) container.hidden = !groups.has(container.dataset.fields);
     for (const row of rows) row.show(state, context);
+    const inactive = FIELDS.filter((field) => !groups.has(field.group)).map((field) => field.key);
     for (const { count, reset, keys } of sections) {
-      const inactive = FIELDS.filter((field) => LAW_GROUPS.includes(field.group) && !groups.has(field.group)).map((field) => field.key);
       const changes = keys.filter((key) => state[key] !== DEFAULTS[key] && !inactive.includes(key)).length;
       count.textContent = changes ? `${changes} changed` : "";
       reset.hidden = changes === 0;
     }
-    showSource(form.querySelector("#wheel-source"), context.wheel);
-    showSource(form.querySelector("#soil-source"), context.soil);
+    showGrade(form.querySelector("#wheel-grade"), context.wheel, "wheel-origin");
+    showGrade(form.querySelector("#soil-grade"), context.soil, "soil-origin");
   }
 
   /** The place for a pointer: its own field if that is on the page now, else the nearest choice above it. */
@@ -106,20 +105,18 @@ export function createControls(form, onChange) {
     return { input, fault: input.closest(".choice").querySelector(".fault") };
   }
 
-  /** Shows each fault at its input, opening the group it is in, and returns those that belong to none. */
+  /** Shows each fault at its input, opening the group it is in; returns the faults with that input, null where there is none. */
   function showFaults(faults) {
-    const homeless = [];
     const texts = new Map();
-    for (const { pointer, detail, local } of faults) {
+    const placed = faults.map(({ pointer, detail, local }) => {
       const place = placeOf(pointer);
-      if (!place) {
-        homeless.push({ pointer, detail });
-        continue;
-      }
-      const counted = place.field?.unit.si;
-      const text = counted && !local ? `${detail} (${counted})` : detail;
+      if (!place) return { pointer, text: detail, input: null };
+      // The API speaks in its own units; where it names a number, say which.
+      const counted = !local && /\d/.test(detail) && place.field?.unit.si;
+      const text = counted ? `${detail} (${counted})` : detail;
       texts.set(place.fault, [...(texts.get(place.fault) ?? []), text]);
-    }
+      return { pointer, text, input: place.input };
+    });
     const places = [...rows, ...Object.keys(selects).map((key) => placeOf(CHOICE_POINTERS[key]))];
     for (const { input, fault } of places) {
       const text = (texts.get(fault) ?? []).join(" ");
@@ -130,7 +127,7 @@ export function createControls(form, onChange) {
       if (text) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
     }
-    return homeless;
+    return placed;
   }
 
   return { fill, show, showFaults };

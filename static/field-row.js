@@ -57,9 +57,9 @@ export function createFieldRow(field, { followsPreset, onText, onReset }) {
     usual = baseText(field, context);
     const text = shownText(field, state, context);
     const changed = followsPreset && state[field.key] !== null;
-    const usualText = usual === "" ? "not known" : [usual, unit].filter(Boolean).join(" ");
+    const usualText = usual === "" ? "unknown" : [usual, unit].filter(Boolean).join(" ");
     if (box.value !== text) box.value = text;
-    box.placeholder = usual === "" ? "not known" : "";
+    box.placeholder = usual === "" ? "unknown" : "";
     element.classList.toggle("changed", changed);
     reset.hidden = !changed;
     reset.title = `Changed; the preset: ${usualText}`;
@@ -68,7 +68,7 @@ export function createFieldRow(field, { followsPreset, onText, onReset }) {
     Object.assign(slider, sliderRange(field, context));
     const shown = Number(text.replace(",", "."));
     slider.value = text !== "" && Number.isFinite(shown) ? shown : slider.min;
-    slider.setAttribute("aria-valuetext", text === "" ? "not known" : `${text} ${unit}`.trim());
+    slider.setAttribute("aria-valuetext", text === "" ? "unknown" : `${text} ${unit}`.trim());
   }
 
   return { field, element, input: box, fault, show };

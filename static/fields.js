@@ -1,5 +1,7 @@
 // The numbers a person can set: where each sits in the API's request, its unit on the page, and what it follows untouched.
 
+import { roundStep } from "./axis.js";
+
 /** A shown unit that differs from the API's by a power of ten; `si` tells people how the API counts. */
 const power = (text, exponent, si = "") => ({
   text,
@@ -24,6 +26,7 @@ const DEGREE = {
   fromSi: (value) => (value * 180) / Math.PI,
 };
 
+const SLIDER_STEPS = 200;
 const SHOWN_DIGITS = 6;
 const DEFAULT_LOAD_N = 90;
 
@@ -37,12 +40,14 @@ function roundedUp(value) {
 /** Sinkages beyond half the radius can be typed; the slider keeps its resolution for the usual ones. */
 function sinkageRange({ radius }) {
   const max = Math.max(1, Math.round((radius ?? 0.2) * 500));
-  return { min: 0.5, max, step: 0.5 };
+  const step = roundStep(max, SLIDER_STEPS);
+  return { min: step, max, step };
 }
 
 function loadRange({ wheel }) {
   const max = roundedUp(4 * (wheel?.values?.nominal_load_n?.value ?? DEFAULT_LOAD_N));
-  return { min: max / 400, max, step: max / 400 };
+  const step = roundStep(max, SLIDER_STEPS);
+  return { min: step, max, step };
 }
 
 /**
@@ -93,12 +98,12 @@ export const FIELDS = [
     base: ({ pressureSinkage }) => pressureSinkage.m },
   { group: "exponent", key: "n0", name: "n0", pointer: "/soil/pressure_sinkage/n0", label: "Sinkage exponent", symbol: "n_0", unit: ONE,
     base: ({ pressureSinkage }) => pressureSinkage.n0, slider: range(0.05, 2, 0.01) },
-  { group: "exponent", key: "n1", name: "n1", pointer: "/soil/pressure_sinkage/n1", label: "Its gain with slip", symbol: "n_1", unit: ONE, signed: true,
+  { group: "exponent", key: "n1", name: "n1", pointer: "/soil/pressure_sinkage/n1", label: "Exponent’s gain with slip", symbol: "n_1", unit: ONE, signed: true,
     base: ({ pressureSinkage }) => pressureSinkage.n1 ?? 0, slider: range(-0.5, 1.5, 0.01) },
 
   { group: "wong_reece", key: "c1", name: "c1", pointer: "/contact/c1", label: "Position of the peak", symbol: "c_1", unit: ONE, signed: true,
     base: ({ contact }) => contact.c1 ?? 0.4, slider: range(0, 1, 0.01) },
-  { group: "wong_reece", key: "c2", name: "c2", pointer: "/contact/c2", label: "Its gain with slip", symbol: "c_2", unit: ONE, signed: true,
+  { group: "wong_reece", key: "c2", name: "c2", pointer: "/contact/c2", label: "Peak’s gain with slip", symbol: "c_2", unit: ONE, signed: true,
     base: ({ contact }) => contact.c2 ?? 0.1, slider: range(-0.5, 0.5, 0.01) },
   { group: "contact", key: "c3", name: "c3", pointer: "/contact/c3", label: "Exit over entry angle", symbol: "c_3", unit: ONE, signed: true,
     base: ({ contact }) => contact.c3 ?? 0, slider: range(-1, 0, 0.01) },

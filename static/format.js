@@ -41,7 +41,7 @@ export function fixed(value, decimals) {
 export function significant(value, digits = 3) {
   if (value === 0) return "0";
   const magnitude = Math.floor(Math.log10(Math.abs(value)));
-  if (magnitude < -4 || magnitude > 8) {
+  if (magnitude < -4 || magnitude > 5) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
     const raised = String(Math.abs(exponent)).replace(/\d/g, (digit) => SUPERSCRIPTS[digit]);
     return `${typeset(mantissa)}×10${exponent < 0 ? "⁻" : ""}${raised}`;

@@ -1,7 +1,8 @@
 // The plotting page. It shows what the service computes and computes nothing itself.
 //
 // For tests: ids and attributes that stay.
-//   #app[data-state]          loading | ready | fault | offline; #app[data-round] counts the rounds shown
+//   #app[data-state]          loading | ready | fault | offline; #app[data-round] counts the rounds shown;
+//   #app[data-busy] is true while a round is in flight
 //   #wheel #soil #method #law #rule #normal-stress-radius #peak-sinkage #fourth (selects), #compare #braking (check boxes),
 //   #by-sinkage #by-load #by-static (radio buttons)
 //   input[name="slip"] and so on: the number boxes; input[data-slider="slip"]: their sliders; names as in fields.js
@@ -11,23 +12,29 @@
 //   #comparison-table tr[data-method] td[data-compared][data-value], #warnings li[data-warning], #status, #announcement
 //   #scene, #profile-chart, #longitudinal-force-chart, #normal-force-chart, #torque-chart, #fourth-chart;
 //   [data-part="tiles|scene|profile|sweep"][data-stale="true"] while what is shown is not the answer to the inputs
-//   path.curve[data-style], line[data-mark], g[data-arrow], .plot[role="slider"], .legend output.reading
+//   path.curve[data-style], line[data-mark], g[data-arrow], .plot[role="slider"], .legend .reading
+//   #wheel-grade #soil-grade, #wheel-origin #soil-origin: grade, source, notes and values of the chosen entries
 //   #profile-csv #sweep-csv #copy-link #copy-curl #curl #reset-all
 
-import { Problem, catalogueOf, curlCommand, post, postForCsv } from "./api.js";
+import { askAll, faultsOf, warningsOf } from "./answers.js";
+import { createAddress } from "./address.js";
+import { catalogueOf, curlCommand } from "./api.js";
 import { createChart } from "./chart.js";
 import { createControls } from "./controls.js";
 import { profileSpec, sweepSpec } from "./figures.js";
+import { showOrigin } from "./presets.js";
 import { createAnnouncer, showComparison, showTiles, showWarnings } from "./results.js";
 import { createRounds } from "./rounds.js";
 import { createScene } from "./scene.js";
-import { contextOf, forcesBody, profileBody, settingsOf, sweepBody } from "./settings.js";
-import { copyText, saveFile } from "./share.js";
-import { DEFAULTS, queryFromState, stateFromQuery } from "./state.js";
+import { contextOf, settingsOf } from "./settings.js";
+import { connectCopy, connectCsv } from "./share.js";
+import { DEFAULTS, stateFromQuery } from "./state.js";
+import { createStatus } from "./status.js";
 
-/** Browsers refuse addresses that change too often. */
-const ADDRESS_PAUSE_MS = 250;
-const NOTICE_MS = 2500;
+const EMPTY_CATALOGUE = { wheels: new Map(), soils: new Map() };
+/** Beyond this, the status line says that the results are not yet those of the inputs. */
+const SLOW_MS = 500;
+const ALL_PARTS = ["tiles", "scene", "profile", "sweep"];
 const SLIP_CHARTS = {
   "longitudinal-force-chart": () => "longitudinal_force_n",
   "normal-force-chart": () => "normal_force_n",
@@ -39,10 +46,12 @@ const byId = (id) => document.getElementById(id);
 const app = byId("app");
 
 let state = stateFromQuery(location.search);
-let catalogue = null;
-/** The last good answers with the requests that gave them: what is on the page, whatever the inputs say since. */
+let catalogue = EMPTY_CATALOGUE;
+/** The last good outcomes: what is on the page, whatever the inputs say since. */
 const shown = { forces: null, profile: null, sweep: null };
 
+const status = createStatus(app, byId("status"));
+const announce = createAnnouncer(byId("announcement"));
 const controls = createControls(byId("controls"), change);
 const scene = createScene(byId("scene"), byId("scene-note"));
 const profileChart = createChart(byId("profile-chart"));
@@ -53,43 +62,28 @@ const slipCharts = Object.entries(SLIP_CHARTS).map(([id, quantityName]) => ({
     onPick: (percent) => change({ slip_pct: String(Number(percent.toFixed(6))) }, { discrete: true }),
   }),
 }));
-const announce = createAnnouncer(byId("announcement"));
 const rounds = createRounds({ run: round, onUnavailable });
-
-let addressTimer = null;
-
-function writeAddress({ discrete }) {
-  clearTimeout(addressTimer);
-  const address = location.pathname + queryFromState(state);
-  if (address === location.pathname + location.search) return;
-  // A decision can be undone with the back button; the steps of a slider would only be in the way there.
-  if (discrete) history.pushState(null, "", address);
-  else addressTimer = setTimeout(() => history.replaceState(null, "", address), ADDRESS_PAUSE_MS);
-}
-
-function flushAddress() {
-  clearTimeout(addressTimer);
-  history.replaceState(null, "", location.pathname + queryFromState(state));
-}
-
-function showControls() {
-  controls.show(state, contextOf(state, catalogue));
-  byId("fourth").value = state.fourth;
-}
+const address = createAddress(() => state, () => {
+  state = stateFromQuery(location.search);
+  showControls();
+  drawSlipCharts();
+  rounds.request({ supersede: true });
+});
 
 function change(changes, { discrete }) {
-  if (discrete) flushAddress();
+  if (discrete) address.flush();
   state = { ...state, ...changes };
-  writeAddress({ discrete });
-  if (!catalogue) return;
+  address.write({ discrete });
   showControls();
   rounds.request({ supersede: discrete });
 }
 
-function setStatus(text, stateName) {
-  const status = byId("status");
-  if (status.textContent !== text) status.textContent = text;
-  app.dataset.state = stateName;
+function showControls() {
+  const context = contextOf(state, catalogue);
+  controls.show(state, context);
+  showOrigin(byId("wheel-origin"), context.wheel);
+  showOrigin(byId("soil-origin"), context.soil);
+  byId("fourth").value = state.fourth;
 }
 
 function markStale(parts) {
@@ -98,95 +92,54 @@ function markStale(parts) {
   }
 }
 
-const ALL_PARTS = ["tiles", "scene", "profile", "sweep"];
-
 function onUnavailable(error, seconds) {
   markStale(ALL_PARTS);
-  const shownMeanwhile = shown.forces ? " Dimmed results are the last good ones." : "";
-  setStatus(`${error.message} Trying again in ${Math.round(seconds)} s.${shownMeanwhile}`, "offline");
-}
-
-async function outcomeOf(promise) {
-  try {
-    return { answer: await promise };
-  } catch (error) {
-    if (error instanceof Problem) return { problem: error };
-    throw error;
-  }
-}
-
-async function askAll(settings, signal) {
-  const forces = settings.methods.map((method) => outcomeOf(post("/v1/forces", forcesBody(settings, method), signal)));
-  const sweeps = settings.methods.map((method) => outcomeOf(post("/v1/slip-sweep", sweepBody(settings, method), signal)));
-  const chosen = settings.methods.indexOf(settings.method);
-  const profile = forces[chosen].then(({ answer, problem }) => {
-    if (settings.givenName !== "normal_load_n") return askProfile(profileBody(settings), signal);
-    return problem ? { problem } : askProfile(profileBody(settings, answer.sinkage_m), signal);
-  });
-  const [allForces, allSweeps, profileOutcome] = await Promise.all([Promise.all(forces), Promise.all(sweeps), profile]);
-  return { forces: allForces, sweeps: allSweeps, profile: profileOutcome, chosen };
-}
-
-async function askProfile(body, signal) {
-  return { ...await outcomeOf(post("/v1/stress-profile", body, signal)), body };
-}
-
-function faultsOf(problems) {
-  const faults = problems.flatMap((problem) => (problem.errors.length ? problem.errors : [{ pointer: "", detail: problem.message }]));
-  return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
+  status.offline(error, seconds);
 }
 
 async function round(signal) {
-  if (!catalogue) {
-    const loaded = await catalogueOf();
-    catalogue = loaded;
-    controls.fill(catalogue);
-    showControls();
+  app.dataset.busy = "true";
+  const slow = setTimeout(status.loading, SLOW_MS);
+  try {
+    if (catalogue === EMPTY_CATALOGUE) {
+      catalogue = await catalogueOf();
+      controls.fill(catalogue);
+      showControls();
+    }
+    const settings = settingsOf(state, catalogue);
+    if (settings.unreadable.length) {
+      showFaults(settings.unreadable, ALL_PARTS);
+      return;
+    }
+    const outcomes = await askAll(settings, signal);
+    if (!signal.aborted) showOutcomes(settings, outcomes);
+  } finally {
+    clearTimeout(slow);
+    app.dataset.busy = "false";
   }
-  const settings = settingsOf(state, catalogue);
-  if (settings.unreadable.length) {
-    showFaults(settings.unreadable.map(({ pointer, usual, word }) => ({
-      pointer, local: true, detail: `Type a number${word ? ` or “${word}”` : ""}${usual ? `, such as ${usual}` : ""}.`,
-    })), ALL_PARTS);
-    return;
-  }
-  const outcome = await askAll(settings, signal);
-  if (!signal.aborted) showOutcome(settings, outcome);
 }
 
-function showOutcome(settings, { forces, sweeps, profile, chosen }) {
-  const stale = [];
-  const outcomes = settings.methods.map((method, index) => ({
-    method, forces: forces[index].answer, problem: forces[index].problem?.message,
-  }));
-
-  if (forces[chosen].answer) {
-    shown.forces = { answer: forces[chosen].answer, body: forcesBody(settings, settings.method), drawing: settings.drawing, outcomes };
-    showTiles(app, shown.forces.answer);
-    showComparison(byId("comparison"), outcomes);
-    byId("curl").textContent = curlCommand("/v1/forces", shown.forces.body);
-    announce(shown.forces.answer);
-  } else stale.push("tiles", "scene");
-
-  if (profile.answer) {
-    shown.profile = { answer: profile.answer, body: profile.body };
-    profileChart.draw(profileSpec(profile.answer));
-  } else stale.push("profile");
-
-  if (forces[chosen].answer) {
-    scene.draw({ ...settings.drawing, forces: forces[chosen].answer, profile: profile.answer ?? null });
+function showOutcomes(settings, outcomes) {
+  const { forces, sweep, profile, byMethod } = outcomes;
+  if (forces.answer) {
+    shown.forces = forces;
+    showTiles(app, forces.answer);
+    showComparison(byId("comparison"), byMethod);
+    scene.draw({ ...settings.drawing, forces: forces.answer, profile: profile.answer });
+    byId("curl").textContent = curlCommand("/v1/forces", forces.body);
+    announce(forces.answer);
   }
-
-  const withColumns = settings.methods
-    .map((method, index) => ({ method, ...sweeps[index].answer }))
-    .filter(({ columns }) => columns);
-  if (sweeps[chosen].answer) {
-    shown.sweep = { sweeps: withColumns, points: outcomes, slip: settings.slip, body: sweepBody(settings, settings.method) };
+  if (profile.answer) {
+    shown.profile = profile;
+    profileChart.draw(profileSpec(profile.answer));
+  }
+  if (sweep.answer) {
+    shown.sweep = { body: sweep.body, byMethod, slip: settings.slip };
     drawSlipCharts();
-  } else stale.push("sweep");
-
-  showWarnings(byId("warnings"), [...forces, ...sweeps, profile].flatMap(({ answer }) => answer?.warnings ?? []));
-  showFaults(faultsOf([forces[chosen], sweeps[chosen], profile].map(({ problem }) => problem).filter(Boolean)), stale);
+  }
+  showWarnings(byId("warnings"), warningsOf(outcomes));
+  const answered = { tiles: forces, scene: forces, profile, sweep };
+  showFaults(faultsOf(outcomes), ALL_PARTS.filter((part) => !answered[part].answer));
 }
 
 function drawSlipCharts() {
@@ -195,79 +148,41 @@ function drawSlipCharts() {
 }
 
 function showFaults(faults, stale) {
-  const homeless = controls.showFaults(faults);
+  const placed = controls.showFaults(faults);
   markStale(stale);
-  if (faults.length === 0) {
-    setStatus("Results match the inputs.", "ready");
-  } else {
-    const marked = faults.length - homeless.length;
-    const places = marked === 0 ? "" : marked === 1 ? "One input is refused; it is marked." : `${marked} faults in the inputs; they are marked.`;
-    const others = homeless.map(({ pointer, detail }) => (pointer ? `${pointer}: ${detail}` : detail));
-    setStatus([...others, places, "Dimmed results are the last good ones."].filter(Boolean).join(" "), "fault");
-  }
+  if (placed.length) status.faults(placed);
+  else status.ready();
   app.dataset.round = Number(app.dataset.round) + 1;
 }
 
-function notice(button, text) {
-  const usual = button.dataset.usual ?? button.textContent;
-  button.dataset.usual = usual;
-  button.textContent = text;
-  byId("announcement").textContent = text;
-  setTimeout(() => { button.textContent = usual; }, NOTICE_MS);
-}
-
-function onCopy(id, text) {
-  const button = byId(id);
-  button.addEventListener("click", async () => {
-    try {
-      await copyText(text());
-      notice(button, "Copied");
-    } catch {
-      notice(button, "Cannot copy here");
-    }
-  });
-}
-
-function onCsv(id, path, kind) {
-  const button = byId(id);
-  button.addEventListener("click", async () => {
-    const body = shown[kind]?.body;
-    if (!body) return;
-    try {
-      const csv = await postForCsv(path, body);
-      saveFile(`${path.split("/").at(-1)}_${body.wheel.preset}_${body.soil.preset}.csv`, csv, "text/csv");
-      notice(button, "Saved");
-    } catch (error) {
-      notice(button, "Failed");
-      byId("status").textContent = error.message;
-    }
-  });
-}
-
-onCopy("copy-link", () => {
-  flushAddress();
+connectCopy(byId("copy-curl"), () => byId("curl").textContent);
+connectCopy(byId("copy-link"), () => {
+  address.flush();
   return location.href;
 });
-onCopy("copy-curl", () => byId("curl").textContent);
-onCsv("profile-csv", "/v1/stress-profile", "profile");
-onCsv("sweep-csv", "/v1/slip-sweep", "sweep");
-byId("reset-all").addEventListener("click", () => change({ ...DEFAULTS }, { discrete: true }));
-byId("fourth").addEventListener("change", (event) => {
-  state = { ...state, fourth: event.target.value };
-  writeAddress({ discrete: true });
-  drawSlipCharts();
-});
-window.addEventListener("popstate", () => {
-  clearTimeout(addressTimer);
-  state = stateFromQuery(location.search);
-  if (!catalogue) return;
-  showControls();
-  drawSlipCharts();
-  rounds.request({ supersede: true });
-});
-window.addEventListener("pagehide", flushAddress);
+connectCsv(byId("profile-csv"), "/v1/stress-profile", () => shown.profile?.body);
+connectCsv(byId("sweep-csv"), "/v1/slip-sweep", () => shown.sweep?.body);
 
-if (matchMedia("(max-width: 900px)").matches) {
+byId("reset-all").addEventListener("click", () => change(DEFAULTS, { discrete: true }));
+byId("fourth").addEventListener("change", ({ target }) => {
+  state = { ...state, fourth: target.value };
+  address.write({ discrete: true });
+  drawSlipCharts();
+});
+// A jump within the page must not become a step of the history.
+document.addEventListener("click", (event) => {
+  const hash = event.target.closest("a")?.getAttribute("href");
+  if (!hash?.startsWith("#")) return;
+  event.preventDefault();
+  const target = byId(hash.slice(1));
+  target.focus({ preventScroll: true });
+  target.scrollIntoView({ block: "center" });
+});
+
+// On a narrow page the results come below the controls, so the groups start closed.
+if (matchMedia("(max-width: 760px)").matches) {
   for (const group of document.querySelectorAll("#controls details")) group.open = false;
 }
+status.loading();
+showControls();
 rounds.request();

@@ -1,63 +1,77 @@
-// The catalogue on the page: the lists of wheels and soils, and where the chosen entry's values come from.
+// The catalogue on the page: the lists of wheels and soils, and where the values of the chosen ones come from.
 
 import { html } from "./elements.js";
+import { FIELDS } from "./fields.js";
 
-const KIND_NAMES = {
-  letter: "Reference example", paper: "From papers", flight: "Flight wheels", test: "Test wheels", terrestrial: "Terrestrial",
-  lunar: "Lunar", simulant_lunar: "Lunar simulants", martian: "Martian", simulant_martian: "Martian simulants",
-  test_bed_sand: "Test-bed sands", snow: "Snow", synthetic: "Simulator defaults",
-};
-
-const kindName = (kind) => KIND_NAMES[kind] ?? kind.charAt(0).toUpperCase() + kind.slice(1).replaceAll("_", " ");
-
-/** "friction_angle_rad" as words; the unit goes behind the value. */
+const KIND_NAMES = { paper: "From a paper", flight: "Flight wheels", test: "Test wheels" };
 const UNITS = { _n_m3: "N/m³", _pa: "Pa", _rad: "rad", _n: "N", _m: "m" };
+const SHOWN_DIGITS = 6;
 
-function nameAndUnit(field) {
-  const suffix = Object.keys(UNITS).find((candidate) => field.endsWith(candidate)) ?? "";
-  return { name: field.slice(0, field.length - suffix.length).replaceAll("_", " "), unit: UNITS[suffix] ?? "" };
+const sentenceCase = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** The name of a catalogue value in words: the field's label if the page has one, else its API name without the unit. */
+function valueName(name) {
+  const field = FIELDS.find(({ pointer }) => pointer.endsWith(`/${name}`));
+  return field ? field.label : sentenceCase(name.slice(0, name.length - unitSuffix(name).length).replaceAll("_", " "));
 }
+
+const unitSuffix = (name) => Object.keys(UNITS).find((suffix) => name.endsWith(suffix)) ?? "";
 
 export function fillPresets(select, entries) {
   const kinds = new Map();
   for (const entry of entries) {
-    if (!kinds.has(entry.kind)) kinds.set(entry.kind, html("optgroup", { label: kindName(entry.kind) }));
+    const label = KIND_NAMES[entry.kind] ?? sentenceCase(entry.kind);
+    if (!kinds.has(entry.kind)) kinds.set(entry.kind, html("optgroup", { label }));
     kinds.get(entry.kind).append(html("option", { value: entry.id }, entry.name));
   }
   select.replaceChildren(...kinds.values());
 }
 
+/** A value's own source and grade are told where they are not the entry's. */
 function valuesTable(entry) {
-  const rows = Object.entries(entry.values ?? {}).map(([field, { value, published, source, grade }]) => {
-    const { name, unit } = nameAndUnit(field);
-    const origin = [published && `as published: ${published}`, source !== entry.source && source].filter(Boolean).join("; ");
+  const rows = Object.entries(entry.values).map(([name, { value, published, source, grade, note }]) => {
+    const ownSource = source !== entry.source && source;
+    const ownGrade = grade && grade !== entry.grade && `Grade: ${grade}`;
+    const shown = [Number(value.toPrecision(SHOWN_DIGITS)), UNITS[unitSuffix(name)]].filter((part) => part !== undefined).join("\u00a0");
     return html("tr", {},
-      html("th", { scope: "row" }, name),
-      html("td", {}, `${value} ${unit}`.trim()),
-      html("td", {}, grade ?? ""),
-      html("td", {}, origin));
+      html("th", { scope: "row" }, valueName(name)),
+      html("td", {}, shown),
+      html("td", {}, [published, ownSource, ownGrade, note].filter(Boolean).join(". ")));
   });
   return html("table", { class: "values" },
-    html("thead", {}, html("tr", {}, ...["Value", "SI", "Grade", "Origin"].map((text) => html("th", { scope: "col" }, text)))),
+    html("thead", {}, html("tr", {}, ...["Value", "In SI", "As published"].map((text) => html("th", { scope: "col" }, text)))),
     html("tbody", {}, ...rows));
 }
 
-/** Source, grade, note and the entry's gaps; nothing for an entry the catalogue does not have. */
-export function showSource(element, entry) {
-  if (element.dataset.entry === (entry?.id ?? "")) return;
-  element.dataset.entry = entry?.id ?? "";
-  if (!entry) {
-    element.replaceChildren();
-    return;
-  }
-  const paragraphs = [html("p", {}, html("span", { class: "grade" }, `Grade ${entry.grade}`), ` ${entry.source}`)];
-  if (entry.note) paragraphs.push(html("p", { class: "note" }, entry.note));
-  if (entry.missing?.length) {
-    const names = entry.missing.map((field) => nameAndUnit(field).name).join(", ");
-    paragraphs.push(html("p", { class: "gaps" }, `Not in the catalogue: ${names}.`));
-  }
-  const values = Object.keys(entry.values ?? {}).length
-    ? [html("details", {}, html("summary", {}, "Values and their origin"), html("div", { class: "scroll" }, valuesTable(entry)))]
-    : [];
-  element.replaceChildren(...paragraphs, ...values);
+const gradeBadge = (entry) => (entry.grade ? [html("span", { class: "grade" }, `Grade: ${entry.grade}`), " "] : []);
+
+function gaps(entry) {
+  if (!entry.missing?.length) return [];
+  return [html("p", { class: "gaps" }, `Not in the catalogue: ${entry.missing.map((name) => valueName(name).toLowerCase()).join(", ")}.`)];
+}
+
+/** True once for each entry that comes to an element; nothing is shown for an entry the catalogue does not have. */
+function isNew(element, entry) {
+  const id = entry?.id ?? "";
+  if (element.dataset.entry === id) return false;
+  element.dataset.entry = id;
+  if (!entry) element.replaceChildren();
+  return Boolean(entry);
+}
+
+/** Beside the list: how good the entry is and what it lacks, with the way to the rest. */
+export function showGrade(element, entry, originId) {
+  if (!isNew(element, entry)) return;
+  element.replaceChildren(html("p", {}, ...gradeBadge(entry), html("a", { href: `#${originId}` }, "Source and notes")), ...gaps(entry));
+}
+
+/** Source, note and every value with where it comes from. */
+export function showOrigin(element, entry) {
+  if (!isNew(element, entry)) return;
+  element.replaceChildren(
+    html("h3", {}, entry.name),
+    html("p", {}, ...gradeBadge(entry), entry.source),
+    ...(entry.note ? [html("p", { class: "note" }, entry.note)] : []),
+    ...gaps(entry),
+    valuesTable(entry));
 }

@@ -6,7 +6,9 @@ import { degrees, fixed, quantity, significant } from "./format.js";
 
 const TOP = 36;
 const LABEL_SPACE = 52;
-const SIDE = 84;
+const LEFT_SPACE = 16;
+/** For the sinkage and its label. */
+const RIGHT_SPACE = 118;
 const STRESS_REACH = 0.3;
 const LONGEST_ARROW = 0.8;
 const TORQUE_RADIUS = 0.3;
@@ -15,6 +17,8 @@ const LABEL_SPACING = 72;
 /** Drawn where the catalogue does not say how many lugs a wheel has. */
 const USUAL_LUG_COUNT = 24;
 const ROOM_FOR_TEXT = 26;
+const ROOMY_RADIUS = 112;
+const LINE = 14;
 const SCALE_LENGTHS_MM = [5, 10, 20, 50, 100, 200, 500, 1000];
 
 const coordinates = (points) => points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L");
@@ -50,8 +54,8 @@ function layout({ width, height }, { radius, lugHeight }) {
   const outer = radius + lugHeight;
   const scale = Math.min(
     (height - TOP - LABEL_SPACE) / (2 * outer + STRESS_REACH * radius),
-    (width - 2 * SIDE) / (2 * outer));
-  const centre = [width / 2 - 8, TOP + outer * scale];
+    (width - LEFT_SPACE - RIGHT_SPACE) / (2 * outer));
+  const centre = [Math.min(width / 2, width - RIGHT_SPACE - outer * scale), TOP + outer * scale];
   const R = radius * scale;
   /** A point at `reach` rim radii from the centre, at an angle from straight down. */
   const at = (angle, reach = 1) => [centre[0] + reach * R * Math.sin(angle), centre[1] + reach * R * Math.cos(angle)];
@@ -76,7 +80,7 @@ function stressAlongContact({ at }, { theta_rad: angles, normal_stress_pa: stres
   return [svg("path", { class: "contact-stress", d: `M${coordinates(outside)}L${coordinates(inside)}Z` })];
 }
 
-function wheel({ centre: [cx, cy], R, outer, at }, lugHeight, lugCount) {
+function wheel({ centre: [cx, cy], R, outer, scale, at }, { lugHeight, lugCount, shearingRadius }) {
   const parts = [];
   if (lugHeight > 0) {
     const pitch = (2 * Math.PI) / lugCount;
@@ -87,6 +91,7 @@ function wheel({ centre: [cx, cy], R, outer, at }, lugHeight, lugCount) {
       parts.push(svg("line", { class: "lug", x1, y1, x2, y2 }));
     }
   }
+  if (shearingRadius * scale > R + 1) parts.push(svg("circle", { class: "shearing-radius", cx, cy, r: shearingRadius * scale }));
   parts.push(
     svg("circle", { class: "wheel", cx, cy, r: R }),
     svg("circle", { class: "wheel-inner", cx, cy, r: R * 0.93 }));
@@ -127,10 +132,17 @@ function sinkageMark({ centre: [cx, cy], R, outer, scale }, sinkage) {
   ];
 }
 
+/** Symbol and number on one line, or one above the other where the wheel is drawn small. */
+function arrowLabel(kind, symbol, value, { y, ...place }, stacked) {
+  const line = (text, at) => svgText({ class: stacked ? "arrow-label tight" : "arrow-label", "data-arrow": kind, y: at, ...place }, text);
+  return stacked ? [line(symbol, y - LINE), line(value, y)] : [line(`${symbol} ${value}`, y)];
+}
+
 function forceArrows({ centre: [cx, cy], R }, { longitudinal_force_n: pull, normal_force_n: normal, torque_n_m: torque }) {
   const largest = Math.max(Math.abs(pull), Math.abs(normal)) || 1;
   const perNewton = (LONGEST_ARROW * R) / largest;
   const forwards = pull >= 0;
+  const stacked = R < ROOMY_RADIUS;
   const clear = TORQUE_RADIUS * R + 16;
   const beside = cy - 0.55 * normal * perNewton;
 
@@ -150,11 +162,9 @@ function forceArrows({ centre: [cx, cy], R }, { longitudinal_force_n: pull, norm
     straightArrow("longitudinal", [cx, cy], [pull * perNewton, 0]),
     straightArrow("normal", [cx, cy], [0, -normal * perNewton]),
     svg("circle", { class: "hub", cx, cy, r: 3.5 }),
-    svgText({ class: "arrow-label", "data-arrow": "normal", x: cx + 9, y: normal >= 0 ? Math.min(beside, cy - 30) : Math.max(beside, cy + 30) },
-      `F_z ${quantity("normal_force_n", normal)}`),
-    svgText({ class: "arrow-label", "data-arrow": "longitudinal", x: forwards ? cx + 9 : cx - 9, y: forwards ? cy - 9 : cy + clear, "text-anchor": forwards ? "start" : "end" },
-      `F_x ${quantity("longitudinal_force_n", pull)}`),
-    svgText({ class: "arrow-label", "data-arrow": "torque", x: cx - 9, y: cy - clear + 4, "text-anchor": "end" }, `T ${quantity("torque_n_m", torque)}`),
+    ...arrowLabel("normal", "F_z", quantity("normal_force_n", normal), { x: cx + 9, y: normal >= 0 ? Math.min(beside, cy - 30) : Math.max(beside, cy + 30) }, stacked),
+    ...arrowLabel("longitudinal", "F_x", quantity("longitudinal_force_n", pull), forwards ? { x: cx + 9, y: cy - 9 } : { x: cx - 9, y: cy + clear + (stacked ? LINE : 0), "text-anchor": "end" }, stacked),
+    ...arrowLabel("torque", "T", quantity("torque_n_m", torque), { x: cx - 9, y: cy - clear + 4, "text-anchor": "end" }, stacked),
   ];
 }
 
@@ -191,14 +201,15 @@ export function createScene(host, note) {
     surface.replaceChildren(
       ...soil(place, forces.angles),
       ...(profile ? stressAlongContact(place, profile.columns) : []),
-      ...wheel(place, lugHeight, lugCount ?? USUAL_LUG_COUNT),
+      ...wheel(place, { lugHeight, lugCount: lugCount ?? USUAL_LUG_COUNT, shearingRadius: forces.shearing_radius_m }),
       ...sinkageMark(place, forces.sinkage_m),
       ...angleMarks(place, forces.angles),
       ...forceArrows(place, forces),
       travel(),
       scaleBar(place));
     const lugs = lugHeight > 0 && !lugCount ? ` Lug count unknown: ${USUAL_LUG_COUNT} drawn.` : "";
-    note.textContent = `To scale. Both forces share one scale. Shaded: normal stress along the contact.${lugs}`;
+    const dashed = forces.shearing_radius_m > radius ? " Dashed: shearing radius." : "";
+    note.textContent = `To scale. Both forces share one scale. Shaded: normal stress along the contact.${dashed}${lugs}`;
   }
 
   new ResizeObserver(render).observe(host);

@@ -36,16 +36,24 @@ export function contextOf(state, catalogue) {
 
 /** The groups of fields that matter now; the others are neither shown nor sent. */
 export function activeGroups(state, context) {
-  const groups = new Set(["slip", state.by, "wheel", "strength", "exponent", context.law, "contact", "explicit"]);
+  const groups = new Set(["slip", state.by, "wheel", "strength", "exponent", context.law, "contact"]);
   if (context.rule === "wong_reece") groups.add("wong_reece");
+  if (state.method === "explicit" || state.compare) groups.add("explicit");
   return groups;
 }
 
 const lastPart = (pointer) => pointer.slice(pointer.lastIndexOf("/") + 1);
 
+function unreadableFault(field, context) {
+  const alternative = field.word ? ` or “${field.word}”` : "";
+  const usual = baseText(field, context);
+  const example = usual ? `, such as ${usual}` : "";
+  return { pointer: field.pointer, local: true, detail: `Type a number${alternative}${example}.` };
+}
+
 /**
- * Everything a round of requests needs. `unreadable` lists the pointers of fields whose text is no number: such a state
- * has no request. All readable values go out as they are, in range or not: judging them is the API's part.
+ * Everything a round of requests needs. `unreadable` lists the faults of fields whose text is no number: such a state has
+ * no request. All readable values go out as they are, in range or not: judging them is the API's part.
  */
 export function settingsOf(state, catalogue) {
   const context = contextOf(state, catalogue);
@@ -57,7 +65,7 @@ export function settingsOf(state, catalogue) {
     const text = state[field.key];
     if (text === null) continue;
     const value = siFromText(field, text);
-    if (value === null) unreadable.push({ pointer: field.pointer, usual: baseText(field, context), word: field.word });
+    if (value === null) unreadable.push(unreadableFault(field, context));
     else values.set(field.name, value);
   }
 

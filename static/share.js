@@ -1,7 +1,11 @@
 // What leaves the page: text to the clipboard, files to the disk.
 
+import { postForCsv } from "./api.js";
+
+const NOTICE_MS = 2500;
+
 /** The clipboard API exists only on https and localhost; elsewhere a selected text area does the same. */
-export async function copyText(text) {
+async function copyText(text) {
   if (navigator.clipboard) {
     await navigator.clipboard.writeText(text);
     return;
@@ -16,7 +20,7 @@ export async function copyText(text) {
   if (!copied) throw new Error("The browser does not allow copying here.");
 }
 
-export function saveFile(name, text, type) {
+function saveFile(name, text, type) {
   const address = URL.createObjectURL(new Blob([text], { type }));
   const anchor = document.createElement("a");
   anchor.href = address;
@@ -24,4 +28,36 @@ export function saveFile(name, text, type) {
   anchor.click();
   // The download reads the address after the click has returned.
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}
+
+/** Runs `action` on a click and tells on the button itself how it went. */
+function onClick(button, done, action) {
+  const usual = button.textContent;
+  const announcement = document.getElementById("announcement");
+  button.addEventListener("click", async () => {
+    let told = done;
+    try {
+      await action();
+    } catch (error) {
+      told = "Failed";
+      button.title = error.message;
+    }
+    button.textContent = told;
+    announcement.textContent = told;
+    setTimeout(() => { button.textContent = usual; }, NOTICE_MS);
+  });
+}
+
+export function connectCopy(button, text) {
+  onClick(button, "Copied", () => copyText(text()));
+}
+
+/** `body()` gives the request whose answer is on the page, so that the file holds what is shown. */
+export function connectCsv(button, path, body) {
+  onClick(button, "Saved", async () => {
+    const request = body();
+    if (!request) throw new Error("There is nothing to save yet.");
+    const name = [path.split("/").at(-1), request.wheel.preset, request.soil.preset].join("_");
+    saveFile(`${name}.csv`, await postForCsv(path, request), "text/csv");
+  });
 }

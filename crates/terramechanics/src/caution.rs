@@ -24,6 +24,12 @@ pub enum Caution {
 const LARGEST_INTEGRATION_ERROR: f64 = 1e-9;
 
 impl Caution {
+    /// The caution that an estimate of the relative integration error calls for, if it does.
+    #[must_use]
+    pub fn of_integration(estimate: f64) -> Option<Self> {
+        (estimate > LARGEST_INTEGRATION_ERROR).then_some(Self::IntegrationError { estimate })
+    }
+
     /// A name for programs.
     #[must_use]
     pub fn code(&self) -> &'static str {
@@ -62,7 +68,7 @@ pub fn cautions(operation: &Operation, slip: Slip, forces: Option<&Forces>) -> i
     [
         (braking && slip_gain != 0.0).then_some(Caution::SlipGainExtrapolated),
         (braking && matches!(operation.sinkage, Sinkage::FromStatic(_))).then_some(Caution::SlipSinkageExtrapolated),
-        (estimate > LARGEST_INTEGRATION_ERROR).then_some(Caution::IntegrationError { estimate }),
+        Caution::of_integration(estimate),
     ]
     .into_iter()
     .flatten()

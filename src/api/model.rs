@@ -1,0 +1,137 @@
+//! `GET /v1/model`: the equations as implemented, and where they depart from the letter as printed.
+
+use std::sync::LazyLock;
+
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{IntoResponse, Response};
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+use super::responses::Limits;
+
+/// What the service computes.
+#[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Model {
+    /// Where the model comes from.
+    source: String,
+    /// Conventions: units, angles, slip.
+    conventions: Vec<String>,
+    /// The symbols of the equations.
+    symbols: Vec<Symbol>,
+    /// The equations as they are computed.
+    equations: Vec<Equation>,
+    /// The ways to the forces, and what each costs in accuracy.
+    methods: Vec<MethodNote>,
+    /// Where the letter as printed is not what is computed.
+    errata: Vec<Erratum>,
+    /// What is refused.
+    refusals: Vec<String>,
+    /// The warnings that results may carry.
+    warnings: Vec<WarningNote>,
+    /// The papers named.
+    references: Vec<String>,
+}
+
+/// A symbol of the equations.
+#[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+struct Symbol {
+    symbol: String,
+    meaning: String,
+    unit: String,
+    /// Its name in requests and replies, where it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    field: Option<String>,
+}
+
+/// An equation as it is computed.
+#[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+struct Equation {
+    name: String,
+    /// Numbers in the letter; empty where the letter has none.
+    letter: Vec<String>,
+    formula: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+    /// Numbers of the errata that concern it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    errata: Vec<u8>,
+}
+
+/// A way to the forces.
+#[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+struct MethodNote {
+    /// Its name in `method`.
+    method: String,
+    description: String,
+    accuracy: String,
+}
+
+/// A place where the letter as printed is not what is computed.
+#[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+struct Erratum {
+    number: u8,
+    /// What is printed, and where.
+    printed: String,
+    /// Why that cannot be meant.
+    reason: String,
+    /// What is computed instead.
+    computed: String,
+}
+
+/// A warning that results may carry.
+#[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+struct WarningNote {
+    code: String,
+    meaning: String,
+}
+
+static TEXT: LazyLock<String> = LazyLock::new(|| {
+    let model: Model = serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    serde_json::to_string_pretty(&model).unwrap_or_default()
+});
+
+/// The equations as implemented, and the errata
+///
+/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, and where the letter as
+/// printed is not what is computed.
+#[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), Limits))]
+pub(crate) async fn model() -> Response {
+    ([(CONTENT_TYPE, "application/json")], TEXT.as_str()).into_response()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_description_is_complete() {
+        let model: Model = serde_json::from_str(&TEXT).expect("the model is JSON");
+        assert_eq!(model.errata.iter().map(|erratum| erratum.number).collect::<Vec<_>>(), (1..=12).collect::<Vec<_>>());
+        let cited = model.equations.iter().flat_map(|equation| &equation.errata);
+        assert!(cited.copied().all(|number| (1..=12).contains(&number)));
+        for number in 1..=18 {
+            // Every equation of the letter is among those computed, parts such as 10a under their number.
+            let number = number.to_string();
+            assert!(model.equations.iter().any(|equation| equation.letter.contains(&number)), "equation {number}");
+        }
+        let codes: Vec<&str> = model.warnings.iter().map(|warning| warning.code.as_str()).collect();
+        for code in [
+            "slip_gain_extrapolated",
+            "slip_sinkage_extrapolated",
+            "integration_error",
+            "mirrored",
+            "no_solution",
+            "points_raised",
+        ] {
+            assert!(codes.contains(&code), "{code}");
+        }
+    }
+}

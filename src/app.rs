@@ -1,0 +1,106 @@
+//! The service put together: one function makes the router that the program serves and the tests call.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use axum::Router;
+use axum::http::Uri;
+use axum::middleware;
+use axum::response::{IntoResponse, Response};
+use tower_http::catch_panic::CatchPanicLayer;
+
+use crate::compute::Pool;
+use crate::metrics::Metrics;
+use crate::problem::Problem;
+use crate::{docs, observe, openapi, page};
+
+/// Limits of the service.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Largest request body [bytes].
+    pub body: usize,
+    /// Time in which a request body has to arrive.
+    pub body_deadline: Duration,
+    /// Time in which a long computation has to end.
+    pub compute_deadline: Duration,
+    /// Long computations that may run or wait.
+    pub compute_places: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            body: 1 << 20,
+            body_deadline: Duration::from_secs(10),
+            compute_deadline: Duration::from_secs(30),
+            compute_places: 64,
+        }
+    }
+}
+
+/// What all requests share.
+#[derive(Debug, Clone)]
+pub struct Service(Arc<Shared>);
+
+#[derive(Debug)]
+struct Shared {
+    limits: Limits,
+    pool: Pool,
+    metrics: Metrics,
+    stopping: AtomicBool,
+}
+
+impl Service {
+    /// A service with these limits.
+    #[must_use]
+    pub fn new(limits: Limits) -> Self {
+        let pool = Pool::new(limits.compute_places, limits.compute_deadline);
+        let metrics = Metrics::new(&pool);
+        Self(Arc::new(Shared { limits, pool, metrics, stopping: AtomicBool::new(false) }))
+    }
+
+    /// From now on the service is not ready.
+    pub fn stop(&self) {
+        self.0.stopping.store(true, Ordering::Relaxed);
+    }
+
+    pub(crate) fn is_stopping(&self) -> bool {
+        self.0.stopping.load(Ordering::Relaxed)
+    }
+
+    pub(crate) fn limits(&self) -> &Limits {
+        &self.0.limits
+    }
+
+    pub(crate) fn pool(&self) -> &Pool {
+        &self.0.pool
+    }
+
+    /// The counters of the service.
+    #[must_use]
+    pub fn metrics(&self) -> &Metrics {
+        &self.0.metrics
+    }
+}
+
+/// The router of the service, with every layer on.
+pub fn app(service: Service) -> Router {
+    layered(openapi::documented_routes().merge(page::routes()).merge(docs::routes()), service)
+}
+
+/// `routes` with the fallbacks and layers of the service.
+pub fn layered(routes: Router<Service>, service: Service) -> Router {
+    routes
+        .fallback(|uri: Uri| async move { Problem::NotFound(format!("no such path: {}", uri.path())) })
+        .method_not_allowed_fallback(|| async { Problem::MethodNotAllowed })
+        .layer(CatchPanicLayer::custom(panicked))
+        .layer(middleware::from_fn_with_state(service.clone(), observe::observe))
+        .with_state(service)
+}
+
+fn panicked(cause: Box<dyn std::any::Any + Send>) -> Response {
+    let text = cause.downcast_ref::<&str>().copied().or_else(|| cause.downcast_ref::<String>().map(String::as_str));
+    tracing::error!(cause = text.unwrap_or("unknown"), "a request panicked");
+    Problem::Internal.into_response()
+}

@@ -1,0 +1,159 @@
+//! Where computations run: short ones at once, long ones on a bounded pool apart from the threads that serve connections.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::http::HeaderValue;
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{IntoResponse, Response};
+use terramechanics::{Method, Operation, Sinkage};
+use tokio::sync::Semaphore;
+
+use crate::extract::Format;
+use crate::problem::Problem;
+use crate::reply::{Reply, csv};
+
+/// What a computation costs at the worst, in nanoseconds on a machine of 2026.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub(crate) struct Cost(f64);
+
+impl Cost {
+    /// Above this a computation would hold up the other requests of its thread.
+    const LONGEST_AT_ONCE: Self = Self(100_000.0);
+
+    /// Of `points` operating points, and of writing their rows.
+    pub(crate) fn of_points(operation: &Operation, points: usize) -> Self {
+        // A stiff contact makes the quadrature refine to dozens of panels; most take a fortieth of this.
+        let evaluation = if operation.model.method == Method::Quadrature { 80_000.0 } else { 200.0 };
+        let evaluations = if matches!(operation.sinkage, Sinkage::CarryingLoad(_)) { 20.0 } else { 1.0 };
+        Self(points as f64 * (evaluation * evaluations + 500.0))
+    }
+
+    /// Of a profile with `points` places at one operating point.
+    pub(crate) fn of_profile(operation: &Operation, points: usize) -> Self {
+        let solved = if matches!(operation.sinkage, Sinkage::CarryingLoad(_)) { Self::of_points(operation, 1).0 } else { 0.0 };
+        Self(solved + points as f64 * 500.0)
+    }
+}
+
+/// The pool for long computations.
+#[derive(Debug, Clone)]
+pub(crate) struct Pool {
+    places: Arc<Semaphore>,
+    deadline: Duration,
+}
+
+impl Pool {
+    /// A pool that takes `places` computations, waiting or running; the runtime bounds how many run at once.
+    pub(crate) fn new(places: usize, deadline: Duration) -> Self {
+        Self { places: Arc::new(Semaphore::new(places)), deadline }
+    }
+
+    /// Places that are free.
+    pub(crate) fn free_places(&self) -> usize {
+        self.places.available_permits()
+    }
+
+    /// What `work` returns, run where its cost allows.
+    ///
+    /// # Errors
+    /// [`Problem::Busy`] if no place is free, [`Problem::Late`] if the result takes too long, [`Problem::Internal`] if the
+    /// work panics, and what the work itself refuses.
+    pub(crate) async fn run<T, F>(&self, cost: Cost, work: F) -> Result<T, Problem>
+    where
+        T: Send + 'static,
+        F: FnOnce() -> Result<T, Problem> + Send + 'static,
+    {
+        if cost <= Cost::LONGEST_AT_ONCE {
+            return work();
+        }
+        let place = self.places.clone().try_acquire_owned().map_err(|_| Problem::Busy)?;
+        let task = tokio::task::spawn_blocking(move || {
+            let _place = place; // free again when the work is done, not when its client has gone
+            work()
+        });
+        match tokio::time::timeout(self.deadline, task).await {
+            Err(_) => Err(Problem::Late(self.deadline)),
+            Ok(Err(panic)) => {
+                tracing::error!(%panic, "a computation panicked");
+                Err(Problem::Internal)
+            }
+            Ok(Ok(result)) => result,
+        }
+    }
+}
+
+/// A reply in the format that was asked for.
+pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, Problem> {
+    match format {
+        Format::Json => json(reply),
+        Format::Csv => {
+            let mut response = csv(&reply.columns()).into_response();
+            let headers = response.headers_mut();
+            headers.insert(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"));
+            // A table has no place for warnings, so their codes travel beside it.
+            let codes: Vec<&str> = reply.warnings().iter().map(|warning| warning.code).collect();
+            if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))
+                && !codes.is_empty()
+            {
+                headers.insert("x-warnings", codes);
+            }
+            Ok(response)
+        }
+    }
+}
+
+/// A value as JSON.
+pub(crate) fn json<T: serde::Serialize>(value: &T) -> Result<Response, Problem> {
+    let mut text = Vec::with_capacity(1024);
+    serde_json::to_writer(&mut text, value).map_err(|error| {
+        tracing::error!(%error, "a reply could not be written");
+        Problem::Internal
+    })?;
+    Ok(([(CONTENT_TYPE, HeaderValue::from_static("application/json"))], text).into_response())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LONG: Cost = Cost(1e9);
+
+    fn runtime() -> tokio::runtime::Runtime {
+        tokio::runtime::Builder::new_current_thread().enable_time().build().expect("a runtime")
+    }
+
+    #[test]
+    fn a_full_pool_is_busy_and_frees_its_places() {
+        runtime().block_on(async {
+            let pool = Pool::new(1, Duration::from_secs(10));
+            let (release, wait) = std::sync::mpsc::channel::<()>();
+            let first = {
+                let pool = pool.clone();
+                tokio::spawn(async move { pool.run(LONG, move || wait.recv().map_err(|_| Problem::Internal)).await })
+            };
+            while pool.places.available_permits() > 0 {
+                tokio::task::yield_now().await;
+            }
+            assert_eq!(pool.run(LONG, || Ok(())).await, Err(Problem::Busy));
+            assert_eq!(pool.run(Cost(1.0), || Ok(7)).await, Ok(7), "short work needs no place");
+            release.send(()).expect("the first is waiting");
+            assert_eq!(first.await.expect("no panic"), Ok(()));
+            assert_eq!(pool.run(LONG, || Ok(())).await, Ok(()));
+        });
+    }
+
+    #[test]
+    fn late_work_and_panics_are_problems() {
+        runtime().block_on(async {
+            let pool = Pool::new(2, Duration::from_millis(20));
+            let late = pool.run(LONG, || {
+                std::thread::sleep(Duration::from_millis(200));
+                Ok(())
+            });
+            assert_eq!(late.await, Err(Problem::Late(Duration::from_millis(20))));
+            assert_eq!(pool.run(LONG, || -> Result<(), Problem> { panic!("on purpose") }).await, Err(Problem::Internal));
+            assert_eq!(pool.run(LONG, || Ok(())).await, Ok(()));
+        });
+    }
+}

@@ -1,0 +1,179 @@
+//! Settings: flags and environment variables, checked before anything starts.
+
+use std::net::SocketAddr;
+use std::time::Duration;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::app::Limits;
+
+/// Forces of a wheel on soil, over HTTP: an API and a plotting page.
+#[derive(Debug, Parser)]
+#[command(name = "terramechanics", version, about, args_conflicts_with_subcommands = true)]
+pub struct Config {
+    /// What to do; without one, serve.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+
+    /// Settings of the server.
+    #[command(flatten)]
+    pub serve: Serve,
+}
+
+/// What to do instead of serving.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Print the OpenAPI document.
+    Openapi,
+    /// Ask a running server whether it is ready; exit 0 if so, 1 if not.
+    Healthcheck {
+        /// Address of the server; where it listens on all interfaces, this machine's own is asked.
+        #[arg(long, env = "TERRAMECHANICS_LISTEN", default_value = DEFAULT_ADDRESS)]
+        listen: SocketAddr,
+        /// Seconds to wait for the answer.
+        #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u64).range(1..=60))]
+        timeout: u64,
+    },
+}
+
+const DEFAULT_ADDRESS: &str = "127.0.0.1:8080";
+
+/// Settings of the server.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Serve {
+    /// Address to listen on; port 0 takes a free one.
+    #[arg(long, env = "TERRAMECHANICS_LISTEN", default_value = DEFAULT_ADDRESS, value_name = "IP:PORT")]
+    pub listen: SocketAddr,
+
+    /// What to log, e.g. info, debug, or terramechanics_server=debug,info.
+    #[arg(long, env = "TERRAMECHANICS_LOG", default_value = "info", value_name = "FILTER")]
+    pub log: String,
+
+    /// Form of the log.
+    #[arg(long, env = "TERRAMECHANICS_LOG_FORMAT", default_value = "text", value_name = "FORM")]
+    pub log_format: LogFormat,
+
+    /// Threads that serve connections.
+    #[arg(long, env = "TERRAMECHANICS_WORKERS", default_value_t = default_threads(), value_parser = threads, value_name = "N")]
+    pub workers: usize,
+
+    /// Threads that do long computations.
+    #[arg(long, env = "TERRAMECHANICS_COMPUTE_THREADS", default_value_t = default_threads(), value_parser = threads, value_name = "N")]
+    pub compute_threads: usize,
+
+    /// Long computations that may run or wait; beyond that the answer is 503.
+    #[arg(long, env = "TERRAMECHANICS_COMPUTE_PLACES", default_value_t = 64, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
+    pub compute_places: u16,
+
+    /// Seconds in which a long computation has to end.
+    #[arg(long, env = "TERRAMECHANICS_COMPUTE_TIMEOUT", default_value_t = 30, value_parser = seconds(), value_name = "SECONDS")]
+    pub compute_timeout: u64,
+
+    /// Seconds in which the head, and then the body, of a request have to arrive.
+    #[arg(long, env = "TERRAMECHANICS_READ_TIMEOUT", default_value_t = 10, value_parser = seconds(), value_name = "SECONDS")]
+    pub read_timeout: u64,
+
+    /// Largest request body in bytes.
+    #[arg(long, env = "TERRAMECHANICS_BODY_LIMIT", default_value_t = 1 << 20, value_parser = clap::value_parser!(u32).range(1024..=64 << 20), value_name = "BYTES")]
+    pub body_limit: u32,
+
+    /// Connections that may be open at once; more wait to be accepted.
+    #[arg(long, env = "TERRAMECHANICS_MAX_CONNECTIONS", default_value_t = 1024, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
+    pub max_connections: u16,
+
+    /// Seconds that open requests are given to end when the server stops.
+    #[arg(long, env = "TERRAMECHANICS_GRACE", default_value_t = 10, value_parser = seconds(), value_name = "SECONDS")]
+    pub grace: u64,
+}
+
+/// Form of the log.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LogFormat {
+    /// Lines for people.
+    Text,
+    /// JSON objects, one a line.
+    Json,
+}
+
+impl Serve {
+    /// The limits of the service.
+    #[must_use]
+    pub fn limits(&self) -> Limits {
+        Limits {
+            body: self.body_limit as usize,
+            body_deadline: Duration::from_secs(self.read_timeout),
+            compute_deadline: Duration::from_secs(self.compute_timeout),
+            compute_places: usize::from(self.compute_places),
+        }
+    }
+}
+
+fn default_threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(threads @ 1..=256) => Ok(threads),
+        _ => Err("must be a whole number from 1 to 256".into()),
+    }
+}
+
+fn seconds() -> clap::builder::RangedU64ValueParser {
+    clap::builder::RangedU64ValueParser::new().range(1..=3600)
+}
+
+/// Prefix of the environment variables that are settings.
+const PREFIX: &str = "TERRAMECHANICS_";
+
+/// Environment variables that look like settings but are none: a typo must not silently become a default.
+///
+/// # Errors
+/// The message to refuse with.
+pub fn check_environment(names: impl Iterator<Item = String>) -> Result<(), String> {
+    use clap::CommandFactory;
+    let command = Config::command();
+    let known: Vec<&str> = command.get_arguments().filter_map(|arg| arg.get_env()?.to_str()).collect();
+    for name in names.filter(|name| name.starts_with(PREFIX)) {
+        if !known.contains(&name.as_str()) {
+            let hint =
+                crate::wire::nearest(&name, &known).map_or_else(|| known.join(", "), |near| format!("did you mean {near}?"));
+            return Err(format!("unknown setting in the environment: {name}; {hint}"));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Config::command().debug_assert();
+    }
+
+    #[test]
+    fn wrong_settings_are_refused() {
+        for wrong in [
+            ["--listen", "nowhere"],
+            ["--listen", "127.0.0.1"],
+            ["--workers", "0"],
+            ["--body-limit", "10"],
+            ["--compute-places", "0"],
+            ["--log-format", "xml"],
+            ["--no-such", "1"],
+        ] {
+            assert!(Config::try_parse_from(["terramechanics"].into_iter().chain(wrong)).is_err(), "{wrong:?}");
+        }
+        assert!(Config::try_parse_from(["terramechanics", "--listen", "[::1]:0", "--workers", "2"]).is_ok());
+    }
+
+    #[test]
+    fn an_unknown_variable_is_refused_with_the_nearest_known() {
+        let check = |name: &str| check_environment([name.to_owned(), "PATH".into()].into_iter());
+        assert!(check("TERRAMECHANICS_LISTEN").is_ok());
+        assert!(check("TERRAMECHANICS_LISTN").expect_err("a typo").contains("TERRAMECHANICS_LISTEN"));
+    }
+}

@@ -1,0 +1,102 @@
+//! Examples for the contract: requests as a user would send them, and what the service answers.
+//!
+//! Numbers of replies are rounded, so that the document does not depend on the last bit of a machine's library.
+
+use serde_json::{Value, json};
+use utoipa::openapi::{OpenApi, RefOr};
+
+use crate::catalogue;
+use crate::reply::{ForcesReply, ProfileReply, Reply, SweepReply, csv};
+use crate::request::{ForcesDto, ProfileDto, Request, SweepDto, checked};
+use crate::wire::read;
+
+/// Digits kept of a number in an example.
+const DIGITS: i32 = 6;
+
+/// Puts an example of request and reply at every operation that has a body, and of the reply at the catalogue's.
+pub(crate) fn attach(document: &mut OpenApi) {
+    for (path, request, answer) in bodies() {
+        let Some(operation) = document.paths.paths.get_mut(path).and_then(|item| item.post.as_mut()) else { continue };
+        if let Some(RefOr::T(body)) = operation.request_body.as_mut()
+            && let Some(RefOr::T(content)) = body.content.get_mut("application/json")
+        {
+            content.example = Some(request);
+        }
+        for (media_type, example) in answer {
+            set_reply(operation, media_type, example);
+        }
+    }
+    for (path, example) in catalogue_replies() {
+        if let Some(operation) = document.paths.paths.get_mut(path).and_then(|item| item.get.as_mut()) {
+            set_reply(operation, "application/json", example);
+        }
+    }
+}
+
+fn set_reply(operation: &mut utoipa::openapi::path::Operation, media_type: &str, example: Value) {
+    if let Some(RefOr::T(response)) = operation.responses.responses.get_mut("200")
+        && let Some(RefOr::T(content)) = response.content.get_mut(media_type)
+    {
+        content.example = Some(example);
+    }
+}
+
+type Answer = Vec<(&'static str, Value)>;
+
+fn bodies() -> [(&'static str, Value, Answer); 3] {
+    let forces = json!({
+        "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
+    });
+    let profile = json!({
+        "wheel": {"radius_m": 0.2, "width_m": 0.1},
+        "soil": {
+            "cohesion_pa": 0, "friction_angle_rad": 0.478, "shear_modulus_m": 0.005,
+            "pressure_sinkage": {"law": "bekker", "k_c": -660, "k_phi": 754_130, "n0": 0.91}
+        },
+        "contact": {"rule": "midpoint"}, "slip": 0.2, "sinkage_m": 0.02, "points": 5
+    });
+    let sweep = json!({
+        "wheel": {"preset": "letter", "lug_height_m": 0.01}, "soil": {"preset": "letter-sand"},
+        "slip": {"from": 0, "to": 1, "points": 6}, "normal_load_n": 80, "method": "linearised"
+    });
+    let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
+    let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
+    let sweep_reply = answer::<SweepDto, _>(&sweep, |query| Some(SweepReply::from(query)));
+    [("/v1/forces", forces, forces_reply), ("/v1/stress-profile", profile, profile_reply), ("/v1/slip-sweep", sweep, sweep_reply)]
+}
+
+/// What the service answers, as JSON and as a table.
+fn answer<R: Request, T: Reply>(request: &Value, reply: impl Fn(&R::Query) -> Option<T>) -> Answer {
+    let text = request.to_string();
+    let query = read::<R>(text.as_bytes()).ok().and_then(|field| checked(&field).ok());
+    let Some(reply) = query.and_then(|query| reply(&query)) else { return Vec::new() };
+    let columns: Vec<(&str, Vec<f64>)> =
+        reply.columns().into_iter().map(|(name, column)| (name, column.iter().copied().map(rounded).collect())).collect();
+    let table: Vec<(&str, &[f64])> = columns.iter().map(|(name, column)| (*name, column.as_slice())).collect();
+    let json = serde_json::to_value(&reply).map(with_rounded_numbers).unwrap_or_default();
+    vec![("application/json", json), ("text/csv", csv(&table).into())]
+}
+
+fn catalogue_replies() -> [(&'static str, Value); 4] {
+    let wheel = catalogue::wheel("letter").and_then(|record| serde_json::to_value(record.view()).ok()).unwrap_or_default();
+    let soil = catalogue::soil("letter-sand").and_then(|record| serde_json::to_value(record.view()).ok()).unwrap_or_default();
+    [
+        ("/v1/wheels", json!({"wheels": [wheel.clone()]})),
+        ("/v1/soils", json!({"soils": [soil.clone()]})),
+        ("/v1/wheels/{id}", wheel),
+        ("/v1/soils/{id}", soil),
+    ]
+}
+
+fn rounded(value: f64) -> f64 {
+    format!("{value:.*e}", DIGITS as usize - 1).parse().unwrap_or(value)
+}
+
+fn with_rounded_numbers(value: Value) -> Value {
+    match value {
+        Value::Number(number) if number.is_f64() => number.as_f64().map_or(Value::Null, |number| rounded(number).into()),
+        Value::Array(items) => items.into_iter().map(with_rounded_numbers).collect(),
+        Value::Object(fields) => fields.into_iter().map(|(name, value)| (name, with_rounded_numbers(value))).collect(),
+        other => other,
+    }
+}

@@ -1,0 +1,135 @@
+//! What a handler takes from an HTTP request: a checked query, and the format of the answer.
+
+use axum::body::{Body, to_bytes};
+use axum::extract::{FromRequest, FromRequestParts};
+use axum::http::header::{ACCEPT, CONTENT_LENGTH, CONTENT_TYPE};
+use axum::http::request::Parts;
+use axum::http::{HeaderMap, Request};
+
+use crate::app::Service;
+use crate::problem::Problem;
+use crate::request::{self, checked};
+use crate::wire;
+
+/// A request body that was read and checked.
+pub(crate) struct Input<R: request::Request>(pub(crate) R::Query);
+
+impl<R: request::Request> FromRequest<Service> for Input<R> {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request<Body>, service: &Service) -> Result<Self, Problem> {
+        if !is_json(request.headers()) {
+            return Err(Problem::NotJsonType);
+        }
+        let limit = service.limits().body;
+        let declared = request.headers().get(CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse::<usize>().ok());
+        if declared.is_some_and(|length| length > limit) {
+            return Err(Problem::TooLarge { limit });
+        }
+        let deadline = service.limits().body_deadline;
+        let body = match tokio::time::timeout(deadline, to_bytes(request.into_body(), limit)).await {
+            Err(_) => return Err(Problem::SlowBody(deadline)),
+            Ok(Err(error)) if is_length_limit(&error) => return Err(Problem::TooLarge { limit }),
+            Ok(Err(_)) => return Err(Problem::BrokenBody),
+            Ok(Ok(body)) => body,
+        };
+        let field = wire::read::<R>(&body).map_err(|error| Problem::NotJson {
+            detail: error.to_string(),
+            line: error.line(),
+            column: error.column(),
+        })?;
+        checked(&field).map(Self).map_err(Problem::Invalid)
+    }
+}
+
+fn is_length_limit(error: &axum::Error) -> bool {
+    std::error::Error::source(error).is_some_and(|cause| cause.is::<http_body_util::LengthLimitError>())
+}
+
+/// Whether the body is declared as `application/json` or another type with the suffix `+json`.
+fn is_json(headers: &HeaderMap) -> bool {
+    let declared = headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()).unwrap_or("");
+    let essence = declared.split(';').next().unwrap_or("").trim();
+    essence.eq_ignore_ascii_case("application/json")
+        || (essence.len() > 5
+            && essence.is_char_boundary(essence.len() - 5)
+            && essence[essence.len() - 5..].eq_ignore_ascii_case("+json"))
+}
+
+/// The format of an answer that has columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Format {
+    /// JSON, unless something else was asked for.
+    Json,
+    /// One header row, then one row per point.
+    Csv,
+}
+
+impl<S: Sync> FromRequestParts<S> for Format {
+    type Rejection = std::convert::Infallible;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Self::Rejection> {
+        let accept = parts.headers.get(ACCEPT).and_then(|value| value.to_str().ok());
+        Ok(accept.map_or(Self::Json, Self::preferred))
+    }
+}
+
+impl Format {
+    /// The format that an Accept header prefers (RFC 9110, section 12.5.1); JSON where it accepts neither or both alike.
+    fn preferred(accept: &str) -> Self {
+        let quality = |kind: &str, subtype: &str| {
+            let ranges = accept.split(',').filter_map(|range| {
+                let mut parts = range.split(';').map(str::trim);
+                let (main, sub) = parts.next()?.split_once('/')?;
+                let specificity = match (main, sub) {
+                    _ if main.eq_ignore_ascii_case(kind) && sub.eq_ignore_ascii_case(subtype) => 2,
+                    (_, "*") if main.eq_ignore_ascii_case(kind) => 1,
+                    ("*", "*") => 0,
+                    _ => return None,
+                };
+                let weight = parts.find_map(|part| part.strip_prefix("q=").or_else(|| part.strip_prefix("Q=")));
+                Some((specificity, weight.map_or(Some(1.0), |weight| weight.parse::<f64>().ok())?))
+            });
+            ranges.max_by_key(|(specificity, _)| *specificity).map_or(0.0, |(_, weight)| weight)
+        };
+        if quality("text", "csv") > quality("application", "json") { Self::Csv } else { Self::Json }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn csv_is_sent_only_where_it_is_preferred() {
+        for accept in
+            ["text/csv", "text/csv, */*;q=0.1", "application/json;q=0.5, text/csv", "TEXT/CSV", "text/*, application/json;q=0.9"]
+        {
+            assert_eq!(Format::preferred(accept), Format::Csv, "{accept}");
+        }
+        for accept in [
+            "",
+            "*/*",
+            "application/json",
+            "text/csv;q=0",
+            "text/csv;q=0.5, application/json",
+            "text/html",
+            "text/csv;q=x",
+            ";;,,/",
+        ] {
+            assert_eq!(Format::preferred(accept), Format::Json, "{accept}");
+        }
+    }
+
+    #[test]
+    fn json_may_be_declared_with_parameters_or_as_a_suffix() {
+        let declared = |value: &'static str| is_json(&HeaderMap::from_iter([(CONTENT_TYPE, value.parse().expect("a header"))]));
+        for yes in ["application/json", "Application/JSON; charset=utf-8", "application/merge-patch+json"] {
+            assert!(declared(yes), "{yes}");
+        }
+        for no in ["text/plain", "application/x-www-form-urlencoded", "json", "", "+json"] {
+            assert!(!declared(no), "{no}");
+        }
+        assert!(!is_json(&HeaderMap::new()));
+    }
+}

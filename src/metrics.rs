@@ -1,0 +1,76 @@
+//! Counters for operators, in the OpenMetrics format.
+
+use std::fmt;
+use std::time::Duration;
+
+use prometheus_client::encoding::{EncodeLabelSet, text::encode};
+use prometheus_client::metrics::counter::Counter;
+use prometheus_client::metrics::family::Family;
+use prometheus_client::metrics::gauge::Gauge;
+use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
+use prometheus_client::registry::{Registry, Unit};
+
+use crate::compute::Pool;
+
+#[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct RequestLabels {
+    method: &'static str,
+    route: String,
+    status: u16,
+}
+
+/// The counters of the service.
+pub struct Metrics {
+    registry: Registry,
+    requests: Family<RequestLabels, Counter>,
+    durations: Histogram,
+    connections: Gauge,
+    places: Gauge,
+    pool: Pool,
+}
+
+impl fmt::Debug for Metrics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Metrics").finish_non_exhaustive()
+    }
+}
+
+impl Metrics {
+    pub(crate) fn new(pool: &Pool) -> Self {
+        let mut registry = Registry::default();
+        let requests = Family::default();
+        let durations = Histogram::new(exponential_buckets(20e-6, 4.0, 9)); // 20 µs to 1.3 s
+        let (connections, places) = (Gauge::default(), Gauge::default());
+        registry.register("http_requests", "Requests answered", requests.clone());
+        registry.register_with_unit("http_request_duration", "Time to an answer", Unit::Seconds, durations.clone());
+        registry.register("http_connections", "Open connections", connections.clone());
+        registry.register("compute_places_free", "Free places for long computations", places.clone());
+        Self { registry, requests, durations, connections, places, pool: pool.clone() }
+    }
+
+    /// A request was answered.
+    pub(crate) fn request(&self, method: &axum::http::Method, route: &str, status: u16, duration: Duration) {
+        let method = ["GET", "POST", "HEAD"].into_iter().find(|known| method.as_str() == *known).unwrap_or("other");
+        let labels = RequestLabels { method, route: route.to_owned(), status };
+        self.requests.get_or_create(&labels).inc();
+        self.durations.observe(duration.as_secs_f64());
+    }
+
+    /// A connection was opened.
+    pub fn connected(&self) {
+        self.connections.inc();
+    }
+
+    /// A connection was closed.
+    pub fn disconnected(&self) {
+        self.connections.dec();
+    }
+
+    /// All metrics as text.
+    pub(crate) fn text(&self) -> Result<String, fmt::Error> {
+        self.places.set(i64::try_from(self.pool.free_places()).unwrap_or(i64::MAX));
+        let mut text = String::new();
+        encode(&mut text, &self.registry)?;
+        Ok(text)
+    }
+}

@@ -1,0 +1,84 @@
+//! What is noted of every request: an id, a count, a duration, a line in the log.
+
+use std::collections::hash_map::RandomState;
+use std::hash::{BuildHasher, Hasher};
+use std::sync::LazyLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use axum::extract::{MatchedPath, Request, State};
+use axum::http::header::X_CONTENT_TYPE_OPTIONS;
+use axum::http::{HeaderName, HeaderValue, StatusCode};
+use axum::middleware::Next;
+use axum::response::Response;
+
+use crate::app::Service;
+
+const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+
+/// Longest request id taken over from a client [bytes].
+const LONGEST_ID: usize = 128;
+
+/// Wraps every request.
+pub(crate) async fn observe(State(service): State<Service>, request: Request, next: Next) -> Response {
+    let start = Instant::now();
+    let id = request.headers().get(REQUEST_ID).filter(|id| is_harmless(id)).cloned().unwrap_or_else(new_id);
+    let method = request.method().clone();
+    let route = request.extensions().get::<MatchedPath>().cloned();
+    let mut response = next.run(request).await;
+    let duration = start.elapsed();
+    let status = response.status();
+    let route = route.as_ref().map_or("none", MatchedPath::as_str);
+    service.metrics().request(&method, route, status.as_u16(), duration);
+    log(&id, &method, route, status, duration.as_micros());
+    let headers = response.headers_mut();
+    headers.insert(REQUEST_ID, id);
+    headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    response
+}
+
+/// One line per request: failures of the service as errors, of clients as information, the rest for those who debug.
+fn log(id: &HeaderValue, method: &axum::http::Method, route: &str, status: StatusCode, micros: u128) {
+    let id = id.to_str().unwrap_or("");
+    let status = status.as_u16();
+    match status {
+        500.. => tracing::error!(request_id = id, %method, route, status, micros, "answered"),
+        400.. => tracing::info!(request_id = id, %method, route, status, micros, "answered"),
+        _ => tracing::debug!(request_id = id, %method, route, status, micros, "answered"),
+    }
+}
+
+/// Whether a client's id may stand in a log and a header.
+fn is_harmless(id: &HeaderValue) -> bool {
+    let id = id.as_bytes();
+    (1..=LONGEST_ID).contains(&id.len()) && id.iter().all(|byte| byte.is_ascii_alphanumeric() || b"-_.:/+=".contains(byte))
+}
+
+/// An id that is unique within the process and, by its random start, most likely beyond it.
+fn new_id() -> HeaderValue {
+    static NEXT: LazyLock<AtomicU64> = LazyLock::new(|| AtomicU64::new(RandomState::new().build_hasher().finish()));
+    const DIGITS: &[u8; 16] = b"0123456789abcdef";
+    let id = NEXT.fetch_add(1, Ordering::Relaxed);
+    let text: [u8; 16] = std::array::from_fn(|i| DIGITS[(id >> (60 - 4 * i) & 15) as usize]);
+    HeaderValue::from_bytes(&text).unwrap_or_else(|_| HeaderValue::from_static("none"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_differ_and_are_harmless() {
+        let (a, b) = (new_id(), new_id());
+        assert!(a != b && is_harmless(&a) && a.len() == 16);
+    }
+
+    #[test]
+    fn a_clients_id_is_taken_only_if_it_is_harmless() {
+        assert!(is_harmless(&HeaderValue::from_static("trace-1:2/3")));
+        for bad in ["", "a b", "a\"b", "{x}"] {
+            assert!(!is_harmless(&HeaderValue::from_str(bad).expect("a header")), "{bad}");
+        }
+        assert!(!is_harmless(&HeaderValue::from_str(&"a".repeat(129)).expect("a header")));
+    }
+}

@@ -1,0 +1,59 @@
+//! The contract: an OpenAPI document, generated from the routes.
+
+use std::sync::LazyLock;
+
+use axum::Router;
+use utoipa::OpenApi;
+use utoipa::openapi::OpenApi as Document;
+use utoipa_axum::router::OpenApiRouter;
+
+use crate::app::Service;
+use crate::{api, examples};
+
+#[derive(OpenApi)]
+#[openapi(
+    info(
+        title = "Terramechanics",
+        description = "Steady forces of a rigid wheel, with or without lugs, rolling on deformable soil: drawbar pull, normal force, torque, \
+                       sinkage and stresses. SI units and radians; the suffix of a field is its unit. Slip is −1 (locked) … 0 (rolling) … 1 \
+                       (spinning). Angles are measured at the wheel's centre from straight down, positive towards the front. Every failure is \
+                       an RFC 9457 problem document.",
+        contact(name = "The terramechanics project"),
+        license(name = "MIT", identifier = "MIT")
+    ),
+    servers((url = "/", description = "This server")),
+    security(()),
+    tags(
+        (name = "forces", description = "Forces and stresses of a wheel"),
+        (name = "catalogue", description = "Wheels, soils and equations, with their sources"),
+        (name = "operations", description = "For operators and tools")
+    )
+)]
+struct Contract;
+
+fn router() -> OpenApiRouter<Service> {
+    OpenApiRouter::with_openapi(Contract::openapi()).merge(api::routes())
+}
+
+/// The routes that the document describes.
+pub(crate) fn documented_routes() -> Router<Service> {
+    router().split_for_parts().0
+}
+
+/// The document.
+#[must_use]
+pub fn document() -> Document {
+    let mut document = router().into_openapi();
+    examples::attach(&mut document);
+    document
+}
+
+/// The document as text, as it is served and committed.
+pub fn text() -> &'static str {
+    static TEXT: LazyLock<String> = LazyLock::new(|| {
+        let mut text = document().to_pretty_json().unwrap_or_default();
+        text.push('\n');
+        text
+    });
+    &TEXT
+}

@@ -1,0 +1,157 @@
+//! Failures as clients see them: RFC 9457 problem documents. The only place that knows HTTP statuses of failures.
+
+use std::time::Duration;
+
+use axum::http::header::{CONTENT_TYPE, RETRY_AFTER};
+use axum::http::{HeaderValue, StatusCode};
+use axum::response::{IntoResponse, Response};
+use serde::Serialize;
+use utoipa::ToSchema;
+
+use crate::request::error_fault;
+use crate::wire::FieldFault;
+
+/// Why a request has no answer.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Problem {
+    /// The body is not JSON.
+    NotJson {
+        /// What the parser says.
+        detail: String,
+        /// Line of the fault, from 1.
+        line: usize,
+        /// Column of the fault, from 0 at the line's start.
+        column: usize,
+    },
+    /// The body could not be received.
+    BrokenBody,
+    /// There is nothing at the path.
+    NotFound(String),
+    /// The path has no such method.
+    MethodNotAllowed,
+    /// The body did not arrive in time.
+    SlowBody(Duration),
+    /// The body is too large.
+    TooLarge {
+        /// Largest body taken [bytes].
+        limit: usize,
+    },
+    /// The body is not declared to be JSON.
+    NotJsonType,
+    /// The request cannot be computed.
+    Invalid(Vec<FieldFault>),
+    /// All places for long computations are taken.
+    Busy,
+    /// The answer was not ready in time.
+    Late(Duration),
+    /// A fault of the service.
+    Internal,
+}
+
+/// A failure: an RFC 9457 problem document.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Problem)]
+pub(crate) struct ProblemBody {
+    /// Kind of the problem, for programs.
+    #[serde(rename = "type")]
+    #[schema(example = "urn:terramechanics:problem:invalid-input")]
+    kind: String,
+    /// The kind in words.
+    #[schema(example = "The request cannot be computed")]
+    title: &'static str,
+    /// HTTP status.
+    #[schema(example = 422)]
+    status: u16,
+    /// What happened this time.
+    detail: String,
+    /// For bad input: every fault found.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    errors: Vec<FieldFault>,
+    /// For a body that is not JSON: line of the fault, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<usize>,
+    /// For a body that is not JSON: column of the fault.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<usize>,
+}
+
+/// Seconds after which a busy service may be asked again.
+const RETRY_AFTER_SECONDS: u16 = 1;
+
+impl Problem {
+    /// What the model refuses of a request whose fields are each right.
+    pub(crate) fn refused(error: &terramechanics::Error, sinkage: &terramechanics::Sinkage) -> Self {
+        Self::Invalid(vec![error_fault(error, sinkage)])
+    }
+
+    fn status(&self) -> StatusCode {
+        match self {
+            Self::NotJson { .. } | Self::BrokenBody => StatusCode::BAD_REQUEST,
+            Self::NotFound(_) => StatusCode::NOT_FOUND,
+            Self::MethodNotAllowed => StatusCode::METHOD_NOT_ALLOWED,
+            Self::SlowBody(_) => StatusCode::REQUEST_TIMEOUT,
+            Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
+            Self::NotJsonType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
+            Self::Invalid(_) => StatusCode::UNPROCESSABLE_ENTITY,
+            Self::Busy | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
+            Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
+        }
+    }
+
+    fn name_and_title(&self) -> (&'static str, &'static str) {
+        match self {
+            Self::NotJson { .. } => ("not-json", "The body is not JSON"),
+            Self::BrokenBody => ("broken-body", "The body could not be received"),
+            Self::NotFound(_) => ("not-found", "There is nothing here"),
+            Self::MethodNotAllowed => ("method-not-allowed", "The method is not allowed here"),
+            Self::SlowBody(_) => ("slow-body", "The body did not arrive in time"),
+            Self::TooLarge { .. } => ("too-large", "The body is too large"),
+            Self::NotJsonType => ("unsupported-media-type", "The body has to be JSON"),
+            Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
+            Self::Busy => ("busy", "The service is busy"),
+            Self::Late(_) => ("late", "The answer was not ready in time"),
+            Self::Internal => ("internal", "The service failed"),
+        }
+    }
+
+    fn detail(&self) -> String {
+        match self {
+            Self::NotJson { detail, .. } => detail.clone(),
+            Self::BrokenBody => "the connection broke or the body was malformed".into(),
+            Self::NotFound(path) => path.clone(),
+            Self::MethodNotAllowed => "the header Allow lists the methods of this path".into(),
+            Self::SlowBody(limit) => format!("the body has to arrive within {} s", limit.as_secs_f64()),
+            Self::TooLarge { limit } => format!("the body may have at most {limit} bytes"),
+            Self::NotJsonType => "send the body with Content-Type: application/json".into(),
+            Self::Invalid(errors) => match errors.as_slice() {
+                [one] if one.pointer.is_empty() => one.detail.clone(),
+                [one] => format!("{} {}", one.pointer, one.detail),
+                many => format!("{} faults, see errors", many.len()),
+            },
+            Self::Busy => "all places for long computations are taken, try again soon".into(),
+            Self::Late(limit) => format!("no answer within {} s, try again or ask for fewer points", limit.as_secs_f64()),
+            Self::Internal => "the request id in the header X-Request-Id leads to the cause in the log".into(),
+        }
+    }
+}
+
+impl IntoResponse for Problem {
+    fn into_response(self) -> Response {
+        let status = self.status();
+        let (name, title) = self.name_and_title();
+        let (line, column) = match self {
+            Self::NotJson { line, column, .. } => (Some(line), Some(column)),
+            _ => (None, None),
+        };
+        let detail = self.detail();
+        let errors = if let Self::Invalid(errors) = self { errors } else { Vec::new() };
+        let kind = format!("urn:terramechanics:problem:{name}");
+        let body = ProblemBody { kind, title, status: status.as_u16(), detail, errors, line, column };
+        let text = serde_json::to_vec(&body).unwrap_or_default();
+        let mut response = (status, [(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"))], text).into_response();
+        if status == StatusCode::SERVICE_UNAVAILABLE {
+            response.headers_mut().insert(RETRY_AFTER, RETRY_AFTER_SECONDS.into());
+        }
+        response
+    }
+}

@@ -1,0 +1,135 @@
+//! The answer of `/v1/slip-sweep`.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use terramechanics::{Error, SlipSweep, cautions};
+use utoipa::ToSchema;
+
+use super::forces::{COLUMNS, method_name};
+use super::warning::rows_in_words;
+use super::{Column, Reply, Warning};
+use crate::request::{SweepQuery, error_pointer};
+
+/// Forces over slip.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = SlipSweep)]
+pub(crate) struct SweepReply {
+    /// The method by which the forces were found.
+    method: &'static str,
+    columns: SweepColumns,
+    warnings: Vec<Warning>,
+}
+
+/// Columns of one length; null where a point has no solution or a coefficient is undefined.
+#[derive(Debug, Serialize, ToSchema)]
+struct SweepColumns {
+    /// Slip ratio s [–].
+    #[schema(value_type = Vec<f64>)]
+    slip: Column,
+    /// Sinkage z [m].
+    #[schema(value_type = Vec<Option<f64>>)]
+    sinkage_m: Column,
+    /// Longitudinal force F_x, the drawbar pull [N].
+    #[schema(value_type = Vec<Option<f64>>)]
+    longitudinal_force_n: Column,
+    /// Normal force F_z [N].
+    #[schema(value_type = Vec<Option<f64>>)]
+    normal_force_n: Column,
+    /// Torque T about the axle [N·m].
+    #[schema(value_type = Vec<Option<f64>>)]
+    torque_n_m: Column,
+    /// Shear stress along x [N].
+    #[schema(value_type = Vec<Option<f64>>)]
+    traction_n: Column,
+    /// Normal stress against x [N].
+    #[schema(value_type = Vec<Option<f64>>)]
+    resistance_n: Column,
+    /// Normal stress along z [N].
+    #[schema(value_type = Vec<Option<f64>>)]
+    normal_support_n: Column,
+    /// Shear stress along z [N].
+    #[schema(value_type = Vec<Option<f64>>)]
+    shear_support_n: Column,
+    /// F_x/F_z [–].
+    #[schema(value_type = Vec<Option<f64>>)]
+    drawbar_coefficient: Column,
+    /// F_x v/(T ω) [–], while the wheel drives.
+    #[schema(value_type = Vec<Option<f64>>)]
+    tractive_efficiency: Column,
+}
+
+impl From<&SweepQuery> for SweepReply {
+    fn from(query: &SweepQuery) -> Self {
+        let SweepQuery { operation, slips } = query;
+        let sweep = SlipSweep::of(operation, slips);
+        let mut warnings = gap_warnings(&sweep, |error| error_pointer(error, &operation.sinkage));
+        // The cautions of the least slip hold for all that brake; the largest integration error stands for the rest.
+        let least = slips.iter().copied().min_by(|a, b| a.ratio().total_cmp(&b.ratio()));
+        warnings.extend(least.into_iter().flat_map(|slip| cautions(operation, slip, None)).map(Warning::from));
+        let estimate = sweep.integration_error.iter().copied().fold(0.0, f64::max);
+        warnings.extend(terramechanics::Caution::of_integration(estimate).map(Warning::from));
+        Self {
+            method: method_name(&operation.model.method),
+            columns: SweepColumns {
+                slip: Column(sweep.slip),
+                sinkage_m: Column(sweep.sinkage),
+                longitudinal_force_n: Column(sweep.longitudinal),
+                normal_force_n: Column(sweep.normal),
+                torque_n_m: Column(sweep.torque),
+                traction_n: Column(sweep.traction),
+                resistance_n: Column(sweep.resistance),
+                normal_support_n: Column(sweep.normal_support),
+                shear_support_n: Column(sweep.shear_support),
+                drawbar_coefficient: Column(sweep.drawbar_coefficient),
+                tractive_efficiency: Column(sweep.tractive_efficiency),
+            },
+            warnings,
+        }
+    }
+}
+
+/// One warning for each field at fault: the rows without a solution, and the reason of the first.
+fn gap_warnings(sweep: &SlipSweep, pointer: impl Fn(&Error) -> &'static str) -> Vec<Warning> {
+    let mut by_field: BTreeMap<&'static str, Vec<usize>> = BTreeMap::new();
+    for (i, gap) in sweep.gaps.iter().enumerate() {
+        by_field.entry(pointer(&gap.error)).or_default().push(i);
+    }
+    let warning = |(field, gaps): (&&'static str, &Vec<usize>)| {
+        let rows: Vec<usize> = gaps.iter().map(|&i| sweep.gaps[i].row).collect();
+        let first = &sweep.gaps[gaps[0]];
+        let slip = sweep.slip[first.row];
+        let detail = format!(
+            "no solution at indices {}; at index {} (slip {slip}), field {field}: {}",
+            rows_in_words(&rows),
+            first.row,
+            first.error
+        );
+        Warning { code: "no_solution", detail }
+    };
+    by_field.iter().map(warning).collect()
+}
+
+impl Reply for SweepReply {
+    fn columns(&self) -> Vec<(&'static str, &[f64])> {
+        let c = &self.columns;
+        let columns = [
+            &c.slip,
+            &c.sinkage_m,
+            &c.longitudinal_force_n,
+            &c.normal_force_n,
+            &c.torque_n_m,
+            &c.traction_n,
+            &c.resistance_n,
+            &c.normal_support_n,
+            &c.shear_support_n,
+            &c.drawbar_coefficient,
+            &c.tractive_efficiency,
+        ];
+        COLUMNS.into_iter().zip(columns.map(|column| column.0.as_slice())).collect()
+    }
+
+    fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}

@@ -1,0 +1,115 @@
+//! The answer of `/v1/stress-profile`.
+
+use serde::Serialize;
+use terramechanics::{Error, Heading, StressProfile, cautions};
+use utoipa::ToSchema;
+
+use super::{AnglesReply, Column, Reply, Warning};
+use crate::request::ProfileQuery;
+
+/// Stresses along the rim, exact and linearised.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = StressProfile)]
+pub(crate) struct ProfileReply {
+    /// Slip ratio s [–].
+    slip: f64,
+    /// Sinkage z [m].
+    sinkage_m: f64,
+    angles: AnglesReply,
+    peak: PeakReply,
+    columns: ProfileColumns,
+    warnings: Vec<Warning>,
+}
+
+/// The exact stresses at the angle of maximum stress.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Peak)]
+struct PeakReply {
+    /// Normal stress σ [Pa].
+    normal_stress_pa: f64,
+    /// Shear stress τ [Pa].
+    shear_stress_pa: f64,
+}
+
+/// Columns of one length, from exit to entry.
+#[derive(Debug, Serialize, ToSchema)]
+struct ProfileColumns {
+    /// θ [rad], ascending.
+    #[schema(value_type = Vec<f64>)]
+    theta_rad: Column,
+    /// Depth that presses there [m].
+    #[schema(value_type = Vec<f64>)]
+    sinkage_m: Column,
+    /// Normal stress σ [Pa].
+    #[schema(value_type = Vec<f64>)]
+    normal_stress_pa: Column,
+    /// Shear stress τ [Pa].
+    #[schema(value_type = Vec<f64>)]
+    shear_stress_pa: Column,
+    /// Linearised normal stress [Pa].
+    #[schema(value_type = Vec<f64>)]
+    normal_stress_linear_pa: Column,
+    /// Linearised shear stress [Pa].
+    #[schema(value_type = Vec<f64>)]
+    shear_stress_linear_pa: Column,
+}
+
+impl TryFrom<&ProfileQuery> for ProfileReply {
+    type Error = Error;
+
+    fn try_from(query: &ProfileQuery) -> Result<Self, Error> {
+        let ProfileQuery { operation, motion, peak_depth, points } = query;
+        let rolling = operation.system.rolling(motion.slip)?;
+        let (sinkage, _) = operation.sinkage_of(&rolling)?;
+        let patch = rolling.contact(sinkage)?;
+        let peak = patch.stresses(patch.angles.peak);
+        let profile = StressProfile::of(&patch, *points, *peak_depth);
+        let StressProfile { theta, depth, normal, shear, normal_linear, shear_linear } = profile;
+        let columns = [&depth, &normal, &shear, &normal_linear, &shear_linear];
+        if columns.iter().any(|column| column.iter().any(|value| !value.is_finite())) {
+            return Err(Error::NotFinite);
+        }
+        let mut warnings: Vec<Warning> = cautions(operation, motion.slip, None).map(Warning::from).collect();
+        if motion.heading == Heading::Backward {
+            warnings.push(Warning::mirrored());
+        }
+        if *points < StressProfile::FEWEST_POINTS {
+            let detail =
+                format!("the exit, the peak and the entry are always among the places, so there are {} of them", theta.len());
+            warnings.push(Warning { code: "points_raised", detail });
+        }
+        Ok(Self {
+            slip: motion.slip.ratio(),
+            sinkage_m: sinkage,
+            angles: patch.angles.into(),
+            peak: PeakReply { normal_stress_pa: peak.normal, shear_stress_pa: peak.shear },
+            columns: ProfileColumns {
+                theta_rad: Column(theta),
+                sinkage_m: Column(depth),
+                normal_stress_pa: Column(normal),
+                shear_stress_pa: Column(shear),
+                normal_stress_linear_pa: Column(normal_linear),
+                shear_stress_linear_pa: Column(shear_linear),
+            },
+            warnings,
+        })
+    }
+}
+
+impl Reply for ProfileReply {
+    fn columns(&self) -> Vec<(&'static str, &[f64])> {
+        let columns = &self.columns;
+        vec![
+            ("theta_rad", &columns.theta_rad.0),
+            ("sinkage_m", &columns.sinkage_m.0),
+            ("normal_stress_pa", &columns.normal_stress_pa.0),
+            ("shear_stress_pa", &columns.shear_stress_pa.0),
+            ("normal_stress_linear_pa", &columns.normal_stress_linear_pa.0),
+            ("shear_stress_linear_pa", &columns.shear_stress_linear_pa.0),
+        ]
+    }
+
+    fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}

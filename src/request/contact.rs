@@ -1,0 +1,48 @@
+//! The contact of a request.
+
+use terramechanics::{Contact, ContactParams, PeakRule};
+use utoipa::openapi::{RefOr, Schema};
+
+use super::soil::numbers_of;
+use crate::wire::{Choice, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
+
+/// The rules for the angle of maximum stress and their parameters.
+pub(crate) const RULES: &[Variant] = &[
+    Variant { name: "midpoint", required: &[], optional: &["c3"] },
+    Variant { name: "wong_reece", required: &["c1", "c2"], optional: &["c3"] },
+    Variant { name: "half_sinkage", required: &[], optional: &["c3"] },
+];
+
+fn rule_names() -> Vec<&'static str> {
+    Variant::names(RULES)
+}
+
+fn rule_schema(doc: &str, fields: &[(&'static str, &dyn Spec)]) -> RefOr<Schema> {
+    tagged_schema(doc, fields, "rule", RULES)
+}
+
+wire_object! {
+    /// Where the stresses are largest and where the contact ends: θm by the rule, θ2 = c3 θ1.
+    ContactDto as "Contact" with rule_schema {
+        rule: String = Choice { doc: "midpoint: θm = (θ1 + θ2)/2; wong_reece: θm = (c1 + c2 s) θ1; half_sinkage: θm = arccos(1 − z/(2r)).", words: rule_names, default: None },
+        c1: f64 = Number::new("c1 of θm = (c1 + c2 s) θ1 [–].", -1.0, 2.0),
+        c2: f64 = Number::new("c2 of θm = (c1 + c2 s) θ1 [–].", -2.0, 2.0),
+        c3: f64 = Number::new("c3 of θ2 = c3 θ1 [–]; negative where the contact reaches behind the lowest point.", -1.0, 0.99).or(0.0),
+    }
+}
+
+impl ContactDto {
+    /// The contact.
+    pub(crate) fn check(&self, place: &Scope<'_>) -> Option<Contact> {
+        self.report_oddities(place);
+        self.rule().required(place);
+        let rule = self.rule().looked_up(place, |word| Variant::named(RULES, word));
+        let [c1, c2, exit_ratio] = numbers_of(rule, &[self.c1(), self.c2(), self.c3()], place);
+        let rule = match rule?.name {
+            "midpoint" => PeakRule::Midpoint,
+            "half_sinkage" => PeakRule::HalfSinkage,
+            _ => PeakRule::WongReece { c1: c1?, c2: c2? },
+        };
+        Contact::new(ContactParams { rule, exit_ratio: exit_ratio? }).map_err(|invalid| place.fault(invalid)).ok()
+    }
+}

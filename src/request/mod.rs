@@ -1,0 +1,53 @@
+//! Requests as they stand on the wire, and what they become: the only place where input is checked and converted.
+
+mod axis;
+mod contact;
+mod forces;
+mod operation;
+mod slip_sweep;
+mod soil;
+mod stress_profile;
+mod wheel;
+
+pub(crate) use contact::{ContactDto, RULES};
+pub(crate) use forces::{ForcesDto, ForcesQuery};
+pub(crate) use operation::{error_fault, error_pointer};
+pub(crate) use slip_sweep::{SweepDto, SweepQuery};
+pub(crate) use soil::{LAWS, SoilDto};
+pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
+pub(crate) use wheel::WheelDto;
+
+use std::cell::RefCell;
+
+use crate::wire::{Field, FieldFault, Object, Scope, Wire};
+
+/// A request body and the query it stands for.
+pub(crate) trait Request: Wire + Object {
+    /// The query: valid domain values in SI units.
+    type Query: Send + 'static;
+
+    /// Checks everything and reports every fault to `place`; none only where something was reported.
+    fn check(&self, place: &Scope<'_>) -> Option<Self::Query>;
+}
+
+/// The query of a request body, or all its faults.
+pub(crate) fn checked<R: Request>(body: &Field<R>) -> Result<R::Query, Vec<FieldFault>> {
+    let faults = RefCell::default();
+    let root = Scope::root(&faults);
+    let query = match body {
+        Field::Given(request) => {
+            request.report_oddities(&root);
+            request.check(&root)
+        }
+        Field::Wrong(found) => {
+            root.fault(format_args!("the body must be a JSON object, not {found}"));
+            None
+        }
+        Field::Absent => None,
+    };
+    let faults = faults.into_inner();
+    match query {
+        Some(query) if faults.is_empty() => Ok(query),
+        _ => Err(faults),
+    }
+}

@@ -1,0 +1,239 @@
+//! What all requests for forces have in common: wheel, soil, contact, method and sinkage.
+
+use terramechanics::{
+    Contact, Error, ForceModel, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth, Sinkage, Slip, Velocities,
+    Wheel, WheelOnSoil,
+};
+
+use super::{ContactDto, SoilDto, WheelDto};
+use crate::wire::{Choice, Entry, FieldFault, Lambda, LambdaSpec, Nested, Number, Scope};
+
+pub(super) const WHEEL: Nested<WheelDto> = Nested::required("The wheel.");
+pub(super) const SOIL: Nested<SoilDto> = Nested::required("The soil.");
+pub(super) const CONTACT: Nested<ContactDto> =
+    Nested::optional("The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.");
+pub(super) const FORWARD_VELOCITY: Number =
+    Number::new("Forward velocity v of the axle [m/s]; with angular_velocity_rad_s instead of slip.", -1e3, 1e3);
+pub(super) const ANGULAR_VELOCITY: Number =
+    Number::new("Angular velocity ω of the wheel [rad/s], positive when it rolls forward.", -1e4, 1e4);
+pub(super) const SLIP: Number =
+    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0);
+pub(super) const SINKAGE: Number = Number::new("Sinkage z [m], at most the wheel's radius.", 1e-9, 100.0);
+pub(super) const STATIC_SINKAGE: Number =
+    Number::new("Static sinkage z0 [m]; the sinkage follows from the slip, z = z0 (1 + s)/(1 − s/2).", 1e-9, 100.0);
+pub(super) const NORMAL_LOAD: Number = Number::new("Vertical load W [N]; the sinkage is solved so that F_z = W.", 1e-9, 1e12);
+pub(super) const METHOD: Choice = Choice {
+    doc: "quadrature: the integral of the stresses; linearised: linear stresses, closed form; explicit: the letter's formulas.",
+    words: || vec!["quadrature", "linearised", "explicit"],
+    default: Some("quadrature"),
+};
+pub(super) const NORMAL_STRESS_RADIUS: Choice = Choice {
+    doc: "Radius at which the normal stress acts: the rim r, or the shearing radius r_s.",
+    words: || vec!["rim", "shearing"],
+    default: Some("rim"),
+};
+pub(super) const PEAK_SINKAGE: Choice = Choice {
+    doc: "Depth under the peak in the closed forms: geometric (default when linearised) or half of the sinkage (default when explicit).",
+    words: || vec!["geometric", "half"],
+    default: None,
+};
+pub(super) const LAMBDA_A: LambdaSpec =
+    LambdaSpec { number: Number::new("λ_A of A ≈ (1 − λ_A) √(z/2r) [–].", -1.0, 1.0).or(0.0), word: EXACT };
+pub(super) const LAMBDA_B: LambdaSpec =
+    LambdaSpec { number: Number::new("λ_B of B ≈ (1 + λ_B) z/(2r) [–].", -1.0, 1.0).or(0.0), word: EXACT };
+const EXACT: Choice = Choice { doc: "The value at which the approximation is exact.", words: || vec!["exact"], default: None };
+
+/// The fields of a request that make an operation; a request without a method is answered by the quadrature.
+pub(super) struct OperationEntries<'a> {
+    pub(super) wheel: Entry<'a, WheelDto>,
+    pub(super) soil: Entry<'a, SoilDto>,
+    pub(super) contact: Entry<'a, ContactDto>,
+    pub(super) sinkage: Entry<'a, f64>,
+    pub(super) static_sinkage: Entry<'a, f64>,
+    pub(super) normal_load: Entry<'a, f64>,
+    pub(super) normal_stress_radius: Entry<'a, String>,
+    pub(super) peak_sinkage: Entry<'a, String>,
+    pub(super) method: Option<MethodEntries<'a>>,
+}
+
+/// The fields that choose a method.
+pub(super) struct MethodEntries<'a> {
+    pub(super) method: Entry<'a, String>,
+    pub(super) lambda_a: Entry<'a, Lambda>,
+    pub(super) lambda_b: Entry<'a, Lambda>,
+}
+
+/// An operation, and the depth under the peak that was asked for.
+pub(super) struct Checked {
+    pub(super) operation: Operation,
+    pub(super) peak_depth: Option<PeakDepth>,
+}
+
+impl OperationEntries<'_> {
+    pub(super) fn check(&self, place: &Scope<'_>) -> Option<Checked> {
+        let wheel = self.wheel.required(place).and_then(|dto| dto.check(&place.field(self.wheel.name)));
+        let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name)));
+        let contact = self.contact(place, soil.and_then(|(_, measured)| measured));
+        let sinkage = self.sinkage(place, wheel.as_ref());
+        let peak_depth = or_none(&self.peak_sinkage, place, |word| match word {
+            "geometric" => Some(PeakDepth::Geometric),
+            "half" => Some(PeakDepth::Half),
+            _ => None,
+        });
+        let normal_stress_radius = or_none(&self.normal_stress_radius, place, |word| match word {
+            "rim" => Some(NormalStressRadius::Rim),
+            "shearing" => Some(NormalStressRadius::Shearing),
+            _ => None,
+        });
+        let peak_depth = peak_depth?;
+        let method = match &self.method {
+            Some(entries) => entries.check(place, peak_depth),
+            None => Some(Method::Quadrature),
+        };
+        let model =
+            ForceModel { method: method?, normal_stress_radius: normal_stress_radius?.unwrap_or(NormalStressRadius::Rim) };
+        let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact: contact? };
+        Some(Checked { operation: Operation { system, model, sinkage: sinkage? }, peak_depth })
+    }
+
+    fn contact(&self, place: &Scope<'_>, measured: Option<Contact>) -> Option<Contact> {
+        if self.contact.is_present() {
+            self.contact.given(place).and_then(|dto| dto.check(&place.field(self.contact.name)))
+        } else {
+            Some(measured.unwrap_or(Contact::MIDPOINT))
+        }
+    }
+
+    /// The sinkage, given in exactly one of three ways.
+    fn sinkage(&self, place: &Scope<'_>, wheel: Option<&Wheel>) -> Option<Sinkage> {
+        let ways = [&self.sinkage, &self.static_sinkage, &self.normal_load];
+        let values = ways.map(|entry| entry.checked(place));
+        let given = ways.iter().filter(|entry| entry.is_present()).count();
+        if given != 1 {
+            let names = ways.map(|entry| format!("`{}`", entry.name)).join(", ");
+            let found = if given == 0 { "none" } else { "more than one" };
+            place.fault(format_args!("exactly one of {names} is required, {found} is given"));
+            return None;
+        }
+        match values {
+            [Some(sinkage), None, None] => {
+                if let Some(wheel) = wheel
+                    && sinkage > wheel.radius()
+                {
+                    let radius = wheel.radius();
+                    place.field(self.sinkage.name).fault(Error::SinkageOutsideWheel { sinkage, radius });
+                    return None;
+                }
+                Some(Sinkage::Given(sinkage))
+            }
+            [None, Some(static_sinkage), None] => Some(Sinkage::FromStatic(static_sinkage)),
+            [None, None, Some(load)] => Some(Sinkage::CarryingLoad(load)),
+            _ => None,
+        }
+    }
+}
+
+impl MethodEntries<'_> {
+    fn check(&self, place: &Scope<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
+        let lambda = |entry: &Entry<'_, Lambda>| -> Option<terramechanics::Lambda> {
+            if !entry.is_present() {
+                return Some(terramechanics::Lambda::Given(0.0));
+            }
+            match entry.given(place)? {
+                Lambda::Number(value) => {
+                    entry.spec.number.check(&place.field(entry.name), *value).map(terramechanics::Lambda::Given)
+                }
+                Lambda::Word(word) if word == "exact" => Some(terramechanics::Lambda::Exact),
+                Lambda::Word(_) => {
+                    place.field(entry.name).fault("must be a number or \"exact\"");
+                    None
+                }
+            }
+        };
+        let (lambda_a, lambda_b) = (lambda(&self.lambda_a), lambda(&self.lambda_b));
+        let method = or_none(&self.method, place, |word| match word {
+            "quadrature" => Some(Method::Quadrature),
+            "linearised" => Some(Method::Linearised { peak_depth: peak_depth.unwrap_or(PeakDepth::Geometric) }),
+            "explicit" => Some(Method::Explicit {
+                peak_depth: peak_depth.unwrap_or(PeakDepth::Half),
+                lambda_a: lambda_a?,
+                lambda_b: lambda_b?,
+            }),
+            _ => None,
+        });
+        Some(method?.unwrap_or(Method::Quadrature))
+    }
+}
+
+/// What `lookup` makes of the word: `Some(None)` where none was sent, `None` where it is wrong, which is reported.
+fn or_none<T>(entry: &Entry<'_, String>, place: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
+    if entry.is_present() { entry.looked_up(place, lookup).map(Some) } else { Some(None) }
+}
+
+/// The fields that give the slip of one operating point.
+pub(super) struct MotionEntries<'a> {
+    pub(super) slip: Entry<'a, f64>,
+    pub(super) forward_velocity: Entry<'a, f64>,
+    pub(super) angular_velocity: Entry<'a, f64>,
+}
+
+impl MotionEntries<'_> {
+    /// The motion: from the slip, or from both velocities and the wheel.
+    pub(super) fn check(&self, place: &Scope<'_>, wheel: Option<&Wheel>) -> Option<Motion> {
+        let slip = self.slip.checked(place);
+        let (forward, angular) = (self.forward_velocity.checked(place), self.angular_velocity.checked(place));
+        let velocities = [&self.forward_velocity, &self.angular_velocity].map(Entry::is_present);
+        match (self.slip.is_present(), velocities) {
+            (true, [false, false]) => {
+                let slip = Slip::new(slip?).map_err(|error| place.field(self.slip.name).fault(error)).ok()?;
+                Some(Motion { slip, heading: terramechanics::Heading::Forward })
+            }
+            (false, [true, true]) => {
+                let velocities = Velocities { forward: forward?, angular: angular? };
+                Motion::of(wheel?, velocities).map_err(|error| place.field(self.angular_velocity.name).fault(error)).ok()
+            }
+            (true, _) => {
+                place.field(self.slip.name).fault("give either `slip` or both velocities, not both");
+                None
+            }
+            (false, [false, false]) => {
+                place.field(self.slip.name).fault("is required, or both `forward_velocity_m_s` and `angular_velocity_rad_s`");
+                None
+            }
+            (false, [there, _]) => {
+                let missing = if there { &self.angular_velocity } else { &self.forward_velocity };
+                place.field(missing.name).fault("is required with the other velocity");
+                None
+            }
+        }
+    }
+}
+
+/// The field of a request to which a refusal of the model belongs.
+pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
+    match error {
+        Error::SinkageOutsideWheel { .. } => match sinkage {
+            Sinkage::Given(_) => "/sinkage_m",
+            Sinkage::FromStatic(_) => "/static_sinkage_m",
+            Sinkage::CarryingLoad(_) => "/normal_load_n",
+        },
+        Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
+        Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
+        Error::PeakOutsideContact { .. } => "/contact",
+        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } => "/normal_load_n",
+        Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
+        Error::NotFinite => "",
+        Error::Invalid(fault) => match fault.parameter {
+            Parameter::Slip => "/slip",
+            Parameter::NormalLoad => "/normal_load_n",
+            Parameter::LambdaA => "/lambda_a",
+            Parameter::LambdaB => "/lambda_b",
+            _ => "",
+        },
+    }
+}
+
+/// A refusal of the model as a fault of the request.
+pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
+    FieldFault { pointer: error_pointer(error, sinkage).to_owned(), detail: error.to_string() }
+}

@@ -1,0 +1,138 @@
+//! The soil of a request.
+
+use std::f64::consts::FRAC_PI_2;
+
+use terramechanics::{Bekker, Contact, Diameter, Direct, PressureSinkage, Reece, SinkageExponent, Soil, SoilParams};
+use utoipa::openapi::{RefOr, Schema};
+
+use super::wheel::missing;
+use crate::catalogue::{self, SoilRecord};
+use crate::wire::{Choice, Entry, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
+
+wire_object! {
+    /// A soil. Without `preset`, the other fields are required; with it, any field beside it overrides the catalogue's.
+    SoilDto as "Soil" {
+        preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
+        cohesion_pa: f64 = Number::new("Cohesion c [Pa].", 0.0, 1e8),
+        friction_angle_rad: f64 = Number::new("Internal friction angle φ [rad].", 0.0, FRAC_PI_2).open_above(),
+        shear_modulus_m: f64 = Number::new("Shear deformation modulus K [m].", 1e-6, 10.0),
+        pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
+    }
+}
+
+impl SoilDto {
+    /// The soil, and the contact that the catalogue measured with it.
+    pub(crate) fn check(&self, place: &Scope<'_>) -> Option<(Soil, Option<Contact>)> {
+        self.report_oddities(place);
+        let preset = self.preset().looked_up(place, catalogue::soil);
+        let unknown_preset = self.preset().is_present() && preset.is_none();
+        let value = |entry: Entry<'_, f64>| {
+            if entry.is_present() {
+                return entry.checked(place);
+            }
+            let published = preset.and_then(|record| record.values.get(entry.name)).map(|value| value.value);
+            if published.is_none() && !unknown_preset {
+                missing(place, entry.name, preset.map(|record| record.id.as_str()));
+            }
+            published
+        };
+        let cohesion = value(self.cohesion_pa());
+        let friction_angle = value(self.friction_angle_rad());
+        let shear_modulus = value(self.shear_modulus_m());
+        let law = self.pressure_sinkage();
+        let pressure_sinkage = if law.is_present() {
+            law.given(place).and_then(|dto| dto.check(&place.field(law.name)))
+        } else {
+            let published = preset.and_then(SoilRecord::pressure_sinkage);
+            if published.is_none() && !unknown_preset {
+                missing(place, law.name, preset.map(|record| record.id.as_str()));
+            }
+            published
+        };
+        let params = SoilParams {
+            cohesion: cohesion?,
+            friction_angle: friction_angle?,
+            shear_modulus: shear_modulus?,
+            pressure_sinkage: pressure_sinkage?,
+        };
+        if unknown_preset {
+            return None;
+        }
+        let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
+        Some((soil, preset.and_then(SoilRecord::contact)))
+    }
+}
+
+/// The laws and their parameters.
+pub(crate) const LAWS: &[Variant] = &[
+    Variant { name: "bekker", required: &["k_c", "k_phi", "n0"], optional: &["n1"] },
+    Variant { name: "direct", required: &["k_s", "n0"], optional: &["n1"] },
+    Variant { name: "reece", required: &["k_c", "k_phi", "unit_weight_n_m3", "n0"], optional: &["n1"] },
+    Variant { name: "diameter", required: &["k", "m", "n0"], optional: &["n1"] },
+];
+
+fn law_names() -> Vec<&'static str> {
+    Variant::names(LAWS)
+}
+
+fn law_schema(doc: &str, fields: &[(&'static str, &dyn Spec)]) -> RefOr<Schema> {
+    tagged_schema(doc, fields, "law", LAWS)
+}
+
+wire_object! {
+    /// A pressure–sinkage law σ = K_s z^N with N = n0 + n1 s.
+    PressureSinkageDto as "PressureSinkage" with law_schema {
+        law: String = Choice { doc: "Name of the law.", words: law_names, default: None },
+        k_c: f64 = Number::new("Cohesive modulus: Bekker's k_c [N/m^(n+1)], may be negative, or Reece's k_c' [–].", -1e9, 1e9),
+        k_phi: f64 = Number::new("Frictional modulus: Bekker's k_phi [N/m^(n+2)] or Reece's k_phi' [–].", -1e9, 1e12),
+        k_s: f64 = Number::new("Sinkage modulus K_s [Pa/m^N].", 1e-6, 1e15),
+        unit_weight_n_m3: f64 = Number::new("Unit weight γ [N/m³].", 0.0, 1e6),
+        k: f64 = Number::new("Coefficient k of Meirion-Griffith & Spenko [N/m^(n+m+2)].", 1e-6, 1e15),
+        m: f64 = Number::new("Exponent m of the wheel's diameter [–].", -10.0, 10.0),
+        n0: f64 = Number::new("Sinkage exponent without slip [–].", 1e-3, 10.0),
+        n1: f64 = Number::new("Gain of the exponent with slip [–].", -10.0, 10.0).or(0.0),
+    }
+}
+
+impl PressureSinkageDto {
+    fn check(&self, place: &Scope<'_>) -> Option<PressureSinkage> {
+        self.report_oddities(place);
+        self.law().required(place);
+        let law = self.law().looked_up(place, |word| Variant::named(LAWS, word));
+        let parameters =
+            [self.k_c(), self.k_phi(), self.k_s(), self.unit_weight_n_m3(), self.k(), self.m(), self.n0(), self.n1()];
+        let [k_c, k_phi, k_s, unit_weight, k, m, base, slip_gain] = numbers_of(law, &parameters, place);
+        let exponent = SinkageExponent { base: base?, slip_gain: slip_gain? };
+        Some(match law?.name {
+            "bekker" => PressureSinkage::Bekker(Bekker { k_c: k_c?, k_phi: k_phi?, exponent }),
+            "direct" => PressureSinkage::Direct(Direct { k_s: k_s?, exponent }),
+            "reece" => PressureSinkage::Reece(Reece { k_c: k_c?, k_phi: k_phi?, unit_weight: unit_weight?, exponent }),
+            _ => PressureSinkage::Diameter(Diameter { k: k?, m: m?, exponent }),
+        })
+    }
+}
+
+/// The numbers of a tagged object: those its variant takes, checked; one it does not take is reported. Where the variant is
+/// not known, what was sent is checked by its bounds alone.
+pub(super) fn numbers_of<const N: usize>(
+    variant: Option<&Variant>,
+    entries: &[Entry<'_, f64>; N],
+    place: &Scope<'_>,
+) -> [Option<f64>; N] {
+    entries.each_ref().map(|entry| match variant {
+        None => entry.checked(place),
+        Some(variant) if variant.required.contains(&entry.name) => entry.required_number(place),
+        Some(variant) if variant.optional.contains(&entry.name) => entry.or_default(place),
+        Some(variant) => {
+            if entry.is_present() {
+                let takes: Vec<&str> = variant.fields().collect();
+                place.field(entry.name).fault(format_args!(
+                    "`{}` has no such field; it takes {}",
+                    variant.name,
+                    takes.join(", ")
+                ));
+            }
+            None
+        }
+    })
+}

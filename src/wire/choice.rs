@@ -1,0 +1,93 @@
+//! Words out of a closed list, and the word that was probably meant.
+
+use utoipa::openapi::schema::{ObjectBuilder, Type};
+use utoipa::openapi::{RefOr, Schema};
+
+use super::{Entry, Scope, Spec, Wire};
+
+/// One of some words; the first is the default where `has_default`.
+#[derive(Debug)]
+pub(crate) struct Choice {
+    pub(crate) doc: &'static str,
+    pub(crate) words: fn() -> Vec<&'static str>,
+    pub(crate) default: Option<&'static str>,
+}
+
+impl Spec for Choice {
+    fn schema(&self) -> RefOr<Schema> {
+        ObjectBuilder::new()
+            .schema_type(Type::String)
+            .description(Some(self.doc))
+            .enum_values(Some((self.words)()))
+            .default(self.default.map(serde_json::Value::from))
+            .into()
+    }
+}
+
+impl Wire for String {
+    type Spec = Choice;
+    const EXPECTED: &'static str = "a string";
+
+    fn text(value: &str) -> Option<Self> {
+        Some(value.to_owned())
+    }
+}
+
+impl Entry<'_, String> {
+    /// What `lookup` makes of the word, if one was sent; an unknown one is reported with the nearest known.
+    pub(crate) fn looked_up<T>(&self, object: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<T> {
+        let word = self.given(object)?;
+        let found = lookup(word);
+        if found.is_none() {
+            unknown_word(&object.field(self.name), word, &(self.spec.words)());
+        }
+        found
+    }
+}
+
+/// Reports a word that is not known.
+pub(crate) fn unknown_word(place: &Scope<'_>, word: &str, known: &[&str]) {
+    let word = shortened(word);
+    match nearest(&word, known) {
+        Some(near) => place.fault(format_args!("unknown name `{word}`; did you mean `{near}`?")),
+        None => place.fault(format_args!("unknown name `{word}`; known are {}", known.join(", "))),
+    }
+}
+
+/// The known word that resembles `word` most, if one does.
+pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let word = shortened(word);
+    let resemblance = |candidate: &str| {
+        // A part of a name (`radius` for `radius_m`) is as good a hint as a typo.
+        let part = !word.is_empty() && (candidate.contains(&word) || word.contains(candidate));
+        strsim::normalized_damerau_levenshtein(&word, candidate) + if part { 0.5 } else { 0.0 }
+    };
+    let best = known.iter().copied().map(|candidate| (resemblance(candidate), candidate)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (best.0 >= 0.5).then_some(best.1)
+}
+
+/// A client's word, cut to a length that is fit for a message.
+pub(crate) fn shortened(word: &str) -> String {
+    const LONGEST: usize = 60;
+    if word.chars().count() <= LONGEST { word.to_owned() } else { word.chars().take(LONGEST).chain(['…']).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_the_one_meant() {
+        let known = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
+        assert_eq!(nearest("radius", &known), Some("radius_m"));
+        assert_eq!(nearest("raduis_m", &known), Some("radius_m"));
+        assert_eq!(nearest("lug_hieght_m", &known), Some("lug_height_m"));
+        assert_eq!(nearest("colour", &known), None);
+        assert_eq!(nearest("", &known), None);
+    }
+
+    #[test]
+    fn a_long_word_is_cut() {
+        assert_eq!(shortened(&"ä".repeat(100)).chars().count(), 61);
+    }
+}

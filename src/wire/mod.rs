@@ -1,0 +1,32 @@
+//! What a client may write: fields with their bounds, read without stopping at the first fault.
+//!
+//! A request object is declared once, with [`wire_object!`]: the fields, their types and their bounds. From that one
+//! declaration come the reader, the checks and the JSON schema, so the bounds in the contract are the enforced ones. Reading
+//! never fails on the content: what is missing, of a wrong type or unknown is kept and reported together.
+
+mod choice;
+mod entry;
+mod faults;
+mod field;
+mod number;
+mod object;
+
+pub(crate) use choice::{Choice, nearest};
+pub(crate) use entry::Entry;
+pub(crate) use faults::{FieldFault, Scope};
+pub(crate) use field::{Field, Wire, read};
+pub(crate) use number::{Lambda, LambdaSpec, Number};
+pub(crate) use object::{Nested, Object, Oddity, Variant, object_schema, read_name, tagged_schema, wire_object};
+
+use utoipa::openapi::{RefOr, Schema};
+
+/// What is allowed for a field, as a JSON schema.
+pub(crate) trait Spec {
+    /// The schema, with the field's description.
+    fn schema(&self) -> RefOr<Schema>;
+
+    /// Whether a request without the field is refused whatever else it has.
+    fn is_required(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,145 @@
+//! Numbers and their bounds.
+
+use std::fmt;
+
+use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, OneOfBuilder, SchemaFormat, Type};
+use utoipa::openapi::{RefOr, Schema};
+
+use super::{Choice, Entry, Scope, Spec, Wire};
+
+/// A number with bounds.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Number {
+    doc: &'static str,
+    min: f64,
+    max: f64,
+    /// Whether `max` itself is too large.
+    open_above: bool,
+    integer: bool,
+    default: Option<f64>,
+}
+
+impl Number {
+    /// A number from `min` to `max`; the description names its unit.
+    pub(crate) const fn new(doc: &'static str, min: f64, max: f64) -> Self {
+        Self { doc, min, max, open_above: false, integer: false, default: None }
+    }
+
+    /// The upper bound itself is excluded.
+    pub(crate) const fn open_above(self) -> Self {
+        Self { open_above: true, ..self }
+    }
+
+    /// Only whole numbers.
+    pub(crate) const fn integer(self) -> Self {
+        Self { integer: true, ..self }
+    }
+
+    /// What holds where the field is left out.
+    pub(crate) const fn or(self, default: f64) -> Self {
+        Self { default: Some(default), ..self }
+    }
+
+    /// The value, if it is within the bounds; else the fault is reported.
+    pub(crate) fn check(&self, place: &Scope<'_>, value: f64) -> Option<f64> {
+        let below_top = if self.open_above { value < self.max } else { value <= self.max };
+        if value >= self.min && below_top && (!self.integer || value.fract() == 0.0) {
+            Some(value)
+        } else {
+            place.fault(format_args!("must be {self}, not {value:?}"));
+            None
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let whole = if self.integer { "a whole number " } else { "" };
+        if self.open_above {
+            write!(f, "{whole}at least {:?} and less than {:?}", self.min, self.max)
+        } else {
+            write!(f, "{whole}from {:?} to {:?}", self.min, self.max)
+        }
+    }
+}
+
+impl Spec for Number {
+    fn schema(&self) -> RefOr<Schema> {
+        let object = ObjectBuilder::new()
+            .description(Some(self.doc))
+            .minimum(Some(self.min))
+            .default(self.default.map(|value| if self.integer { (value as i64).into() } else { value.into() }));
+        let object = if self.open_above { object.exclusive_maximum(Some(self.max)) } else { object.maximum(Some(self.max)) };
+        if self.integer {
+            object.schema_type(Type::Integer).into()
+        } else {
+            object.schema_type(Type::Number).format(Some(SchemaFormat::KnownFormat(KnownFormat::Double))).into()
+        }
+    }
+}
+
+impl Wire for f64 {
+    type Spec = Number;
+    const EXPECTED: &'static str = "a number";
+
+    fn number(value: f64) -> Option<Self> {
+        Some(value)
+    }
+}
+
+impl Entry<'_, f64> {
+    /// The value if one was sent and is within the bounds.
+    pub(crate) fn checked(&self, object: &Scope<'_>) -> Option<f64> {
+        let value = *self.given(object)?;
+        self.spec.check(&object.field(self.name), value)
+    }
+
+    /// The value, or what holds where the field is left out; none where what was sent is wrong.
+    pub(crate) fn or_default(&self, object: &Scope<'_>) -> Option<f64> {
+        if self.is_present() { self.checked(object) } else { self.spec.default }
+    }
+
+    /// The value; that none was sent is reported.
+    pub(crate) fn required_number(&self, object: &Scope<'_>) -> Option<f64> {
+        self.required(object).and_then(|&value| self.spec.check(&object.field(self.name), value))
+    }
+}
+
+/// A fitting constant: a number or a word.
+#[derive(Debug, Clone)]
+pub(crate) enum Lambda {
+    Number(f64),
+    Word(String),
+}
+
+impl Wire for Lambda {
+    type Spec = LambdaSpec;
+    const EXPECTED: &'static str = "a number or \"exact\"";
+
+    fn number(value: f64) -> Option<Self> {
+        Some(Self::Number(value))
+    }
+
+    fn text(value: &str) -> Option<Self> {
+        Some(Self::Word(value.to_owned()))
+    }
+}
+
+/// A number with bounds, or one of some words.
+#[derive(Debug)]
+pub(crate) struct LambdaSpec {
+    pub(crate) number: Number,
+    pub(crate) word: Choice,
+}
+
+impl Spec for LambdaSpec {
+    fn schema(&self) -> RefOr<Schema> {
+        let default = self.number.default.map(serde_json::Value::from);
+        OneOfBuilder::new()
+            .item(self.number.schema())
+            .item(self.word.schema())
+            .description(Some(self.number.doc))
+            .default(default)
+            .into()
+    }
+}
