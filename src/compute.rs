@@ -152,6 +152,7 @@ mod tests {
                 Ok(())
             });
             assert_eq!(late.await, Err(Problem::Late(Duration::from_millis(20))));
+            let pool = Pool::new(2, Duration::from_secs(10));
             assert_eq!(pool.run(LONG, || -> Result<(), Problem> { panic!("on purpose") }).await, Err(Problem::Internal));
             assert_eq!(pool.run(LONG, || Ok(())).await, Ok(()));
         });

@@ -14,7 +14,7 @@ use crate::problem::Problem;
 
 /// Swagger UI sets styles on its elements from scripts, which needs `'unsafe-inline'` for styles; scripts stay its own.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
-                      connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+                      connect-src 'self'; base-uri 'self'; form-action 'none'; frame-ancestors 'none'";
 
 /// The explorer and its files.
 pub(crate) fn routes() -> Router<Service> {
@@ -33,9 +33,9 @@ fn file(name: &str, config: &Arc<Config<'static>>) -> Result<Response, Problem> 
         Problem::Internal
     })?;
     let file = found.ok_or_else(|| Problem::NotFound(format!("no such file: {name}")))?;
-    // Its page names its files relative to /docs/; it is served at /docs.
+    // Its page names its files relative to /docs/, but is served at /docs.
     let bytes = if name == "index.html" {
-        String::from_utf8_lossy(&file.bytes).replace("\"./", "\"/docs/").into_bytes()
+        String::from_utf8_lossy(&file.bytes).replacen("<head>", "<head><base href=\"/docs/\">", 1).into_bytes()
     } else {
         file.bytes.to_vec()
     };

@@ -21,6 +21,7 @@ use crate::{api, examples};
         contact(name = "The terramechanics project"),
         license(name = "MIT", identifier = "MIT")
     ),
+    components(schemas(crate::problem::ProblemBody)),
     servers((url = "/", description = "This server")),
     security(()),
     tags(

@@ -18,9 +18,7 @@ export function linearScale([from, to], [start, end]) {
   return scale;
 }
 
-/** At most about `count` round ticks within the domain. */
-export function ticksWithin([from, to], count) {
-  const step = roundStep(to - from, count);
+function multiplesWithin([from, to], step) {
   const first = Math.ceil(from / step - 1e-9);
   const last = Math.floor(to / step + 1e-9);
   const decimals = decimalsOf(step);
@@ -38,17 +36,16 @@ function decimalsOf(step) {
   return 12;
 }
 
-/** The smallest domain of whole ticks that holds zero and all values; `limits` cut it where a curve runs away. */
-export function roundDomain(values, count, limits = {}) {
-  let low = 0;
-  let high = 0;
-  for (const value of values) {
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  low = Math.max(low, limits.min ?? low);
-  high = Math.min(high, limits.max ?? high);
+/** About `count` round ticks within a given domain. */
+export const ticksWithin = ([from, to], count) => multiplesWithin([from, to], roundStep(to - from, count));
+
+/** The smallest axis of whole ticks that holds zero and all values; `limits` cut it where a curve runs away. */
+export function roundAxis(values, count, limits = {}) {
+  const { min = -Infinity, max = Infinity } = limits;
+  const low = Math.max(min, values.reduce((least, value) => Math.min(least, value), 0));
+  let high = Math.min(max, values.reduce((most, value) => Math.max(most, value), 0));
   if (low === high) high = low + 1;
   const step = roundStep(high - low, count);
-  return [Math.floor(low / step + 1e-9) * step, Math.ceil(high / step - 1e-9) * step];
+  const domain = [Math.floor(low / step + 1e-9) * step, Math.ceil(high / step - 1e-9) * step];
+  return { domain, ticks: multiplesWithin(domain, step) };
 }

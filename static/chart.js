@@ -1,7 +1,7 @@
 // A line chart in SVG: axes, curves with gaps, marked positions, and a cursor for pointer and keyboard whose values stand
 // in the legend. It knows nothing of wheels: it is given columns, and draws them.
 
-import { linearScale, roundDomain, ticksWithin } from "./axis.js";
+import { linearScale, roundAxis, ticksWithin } from "./axis.js";
 import { html, svg, svgText } from "./elements.js";
 
 const CHARACTER_PX = 6.8;
@@ -85,15 +85,16 @@ export function createChart(host, { onCursor, onPick } = {}) {
     const reading = (curve) => (resting && spec.dots.length ? spec.dots.find(({ key }) => key === curve.key)?.value : curve.values[index]);
     const items = spec.curves.map((curve) =>
       html("li", { "data-curve": curve.key },
-        svg("svg", { class: "swatch", viewBox: "0 0 26 8", "aria-hidden": "true" }, svg("path", { class: "curve", "data-style": curve.key, d: "M1 4H25" })),
+        svg("svg", { class: "swatch", viewBox: "0 0 26 8", "aria-hidden": "true" },
+          svg("path", { class: "curve", "data-style": curve.key, d: "M1 4H25" })),
         html("span", {}, curve.name),
         html("span", { class: "reading" }, at === null ? "" : textOf(reading(curve)))));
     legend.replaceChildren(html("li", { class: "position" }, spec.x.name, " ", at === null ? "" : spec.x.format(at)), ...items);
     legend.classList.toggle("at-cursor", !resting);
     plot.setAttribute("aria-valuemax", spec.x.values.length - 1);
     plot.setAttribute("aria-valuenow", index);
-    plot.setAttribute("aria-valuetext",
-      [`${spec.x.spoken} ${spec.x.format(spec.x.values[index])}`, ...spec.curves.map((curve) => `${curve.name} ${textOf(curve.values[index])}`)].join(", "));
+    const spoken = spec.curves.map((curve) => `${curve.name} ${textOf(curve.values[index])}`);
+    plot.setAttribute("aria-valuetext", [`${spec.x.spoken} ${spec.x.format(spec.x.values[index])}`, ...spoken].join(", "));
   }
 
   function drawCursor() {
@@ -124,8 +125,8 @@ export function createChart(host, { onCursor, onPick } = {}) {
     surface.replaceChildren();
 
     const yTickCount = Math.max(2, Math.round((height - MARGIN.top - LINE_PX - MARGIN.bottom) / TICK_SPACING.y));
-    const domain = roundDomain(spec.curves.flatMap((curve) => curve.values.filter(isNumber)), yTickCount, spec.y.limits);
-    const yTicks = ticksWithin(domain, yTickCount);
+    const values = spec.curves.flatMap((curve) => curve.values.filter(isNumber));
+    const { domain, ticks: yTicks } = roundAxis(values, yTickCount, spec.y.limits);
     const left = 12 + Math.max(spec.y.unit.length + 1, ...yTicks.map(({ text }) => text.length)) * CHARACTER_PX;
     x = linearScale(spec.x.domain, [left, width - MARGIN.right]);
 
@@ -144,8 +145,7 @@ export function createChart(host, { onCursor, onPick } = {}) {
         svg("line", { class: tick.value === 0 ? "zero" : "grid", x1: left, x2: width - MARGIN.right, y1: py, y2: py }),
         svg("text", { class: "tick-label", x: left - 6, y: py + 4, "text-anchor": "end" }, tick.text));
     }
-    const unitClear = Math.abs(y(yTicks.at(-1)?.value ?? domain[1]) - top) < LINE_PX;
-    surface.append(svg("text", { class: "axis-label", x: left - 6, y: unitClear ? top - LINE_PX + 4 : top + 4, "text-anchor": "end" }, spec.y.unit));
+    surface.append(svg("text", { class: "axis-label", x: left - 6, y: top - LINE_PX + 4, "text-anchor": "end" }, spec.y.unit));
     for (const tick of ticksWithin(spec.x.domain, Math.max(2, Math.round((width - left) / TICK_SPACING.x)))) {
       const px = x(tick.value);
       surface.append(

@@ -112,7 +112,7 @@ export function createControls(form, onChange) {
       const place = placeOf(pointer);
       if (!place) return { pointer, text: detail, input: null };
       // The API speaks in its own units; where it names a number, say which.
-      const counted = !local && /\d/.test(detail) && place.field?.unit.si;
+      const counted = !local && /(^|\s)-?\d/.test(detail) && place.field?.unit.si;
       const text = counted ? `${detail} (${counted})` : detail;
       texts.set(place.fault, [...(texts.get(place.fault) ?? []), text]);
       return { pointer, text, input: place.input };

@@ -3,6 +3,7 @@
 import { METHOD_NAMES, QUANTITIES, degrees, fixed, quantity, significant, withUnit } from "./format.js";
 
 const scaled = (values, factor) => values.map((value) => (value === null ? null : value * factor));
+const percent = (value) => withUnit(fixed(value, 1), "%");
 const inKilopascal = (values) => scaled(values, 1e-3);
 
 const STRESS_CURVES = [
@@ -21,7 +22,14 @@ export function profileSpec({ angles, columns }) {
   ];
   return {
     label: "Normal and shear stress over the contact angle, exact and linearised",
-    x: { values: theta, domain: [marks[0].at, marks[2].at], name: "θ", spoken: "angle", label: "angle θ from straight down, ° (exit to entry)", format: (value) => `${fixed(value, 1)}°` },
+    x: {
+      values: theta,
+      domain: [marks[0].at, marks[2].at],
+      name: "θ",
+      spoken: "angle",
+      label: "angle θ from straight down, ° (exit to entry)",
+      format: (value) => `${fixed(value, 1)}°`,
+    },
     y: { unit: "kPa", format: (value) => withUnit(significant(value), "kPa") },
     curves: STRESS_CURVES.map(({ key, name, column }) => ({ key, name, values: inKilopascal(columns[column]) })),
     marks: marks.map(({ key, at, symbol }) => ({ key, at, label: `${symbol} ${fixed(at, 1)}°` })),
@@ -30,20 +38,23 @@ export function profileSpec({ angles, columns }) {
   };
 }
 
-/** The efficiency falls without bound where the torque vanishes; below this the curve says nothing more. */
-const AXIS_LIMITS = { tractive_efficiency: { min: -50, max: 100 }, drawbar_coefficient: { min: -2, max: 2 } };
+/** Both ratios run away where their denominator vanishes; beyond these values the curves say nothing more. */
+const AXIS_LIMITS = { tractive_efficiency: { min: -50, max: 100 }, drawbar_coefficient: { min: -3, max: 3 } };
 const MISSING = { tractive_efficiency: "not defined", drawbar_coefficient: "not defined" };
 
 /** `byMethod`: outcomes of each method; `slip`: the chosen one, which need not be among the sweep's. */
 export function sweepSpec(name, { byMethod, slip }) {
   const { name: title, unit, factor } = QUANTITIES[name];
   const sweeps = byMethod.filter(({ sweep }) => sweep.answer).map(({ method, sweep }) => ({ method, columns: sweep.answer.columns }));
-  const points = byMethod.filter(({ forces }) => forces.answer).map(({ method, forces: { answer } }) => ({ method, value: answer[name] ?? answer.components[name] ?? null }));
+  const points = byMethod.filter(({ forces }) => forces.answer).map(({ method, forces: { answer } }) => ({
+    method,
+    value: answer[name] ?? answer.components[name] ?? null,
+  }));
   const slips = scaled(sweeps[0].columns.slip, 100);
   const at = slip * 100;
   return {
     label: `${title} over slip`,
-    x: { values: slips, domain: [slips[0], slips.at(-1)], name: "s", spoken: "slip", label: "slip s, %", format: (value) => withUnit(fixed(value, 1), "%") },
+    x: { values: slips, domain: [slips[0], slips.at(-1)], name: "s", spoken: "slip", label: "slip s, %", format: percent },
     y: {
       unit,
       limits: AXIS_LIMITS[name],
@@ -51,7 +62,7 @@ export function sweepSpec(name, { byMethod, slip }) {
       format: (value) => quantity(name, value / factor),
     },
     curves: sweeps.map(({ method, columns }) => ({ key: method, name: METHOD_NAMES[method], values: scaled(columns[name], factor) })),
-    marks: [{ key: "slip", at, label: `s ${withUnit(fixed(at, 1), "%")}` }],
+    marks: [{ key: "slip", at, label: `s ${percent(at)}` }],
     dots: points.filter(({ value }) => value !== null).map(({ method, value }) => ({ key: method, at, value: value * factor })),
     rest: at >= slips[0] && at <= slips.at(-1) ? at : null,
   };

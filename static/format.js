@@ -6,19 +6,19 @@ const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /** How each result of the API is shown: `factor` takes SI to the shown unit. */
 export const QUANTITIES = {
-  longitudinal_force_n: { name: "Drawbar pull", symbol: "F_x", unit: "N", factor: 1 },
-  normal_force_n: { name: "Normal force", symbol: "F_z", unit: "N", factor: 1 },
-  torque_n_m: { name: "Torque", symbol: "T", unit: "N·m", factor: 1 },
-  sinkage_m: { name: "Sinkage", symbol: "z", unit: "mm", factor: 1e3 },
-  drawbar_coefficient: { name: "Drawbar coefficient", symbol: "F_x/F_z", unit: "", factor: 1 },
-  tractive_efficiency: { name: "Tractive efficiency", symbol: "η", unit: "%", factor: 100 },
-  traction_n: { name: "Traction", symbol: "", unit: "N", factor: 1 },
-  resistance_n: { name: "Resistance", symbol: "", unit: "N", factor: 1 },
-  normal_support_n: { name: "Normal support", symbol: "", unit: "N", factor: 1 },
-  shear_support_n: { name: "Shear support", symbol: "", unit: "N", factor: 1 },
-  sinkage_modulus: { name: "Sinkage modulus", symbol: "K_s", unit: "kPa/mᴺ", factor: 1e-3 },
-  sinkage_exponent: { name: "Sinkage exponent", symbol: "N", unit: "", factor: 1 },
-  shearing_radius_m: { name: "Shearing radius", symbol: "r_s", unit: "mm", factor: 1e3 },
+  longitudinal_force_n: { name: "Drawbar pull", unit: "N", factor: 1 },
+  normal_force_n: { name: "Normal force", unit: "N", factor: 1 },
+  torque_n_m: { name: "Torque", unit: "N·m", factor: 1 },
+  sinkage_m: { name: "Sinkage", unit: "mm", factor: 1e3 },
+  drawbar_coefficient: { name: "Drawbar coefficient", unit: "", factor: 1 },
+  tractive_efficiency: { name: "Tractive efficiency", unit: "%", factor: 100 },
+  traction_n: { name: "Traction", unit: "N", factor: 1 },
+  resistance_n: { name: "Resistance", unit: "N", factor: 1 },
+  normal_support_n: { name: "Normal support", unit: "N", factor: 1 },
+  shear_support_n: { name: "Shear support", unit: "N", factor: 1 },
+  sinkage_modulus: { name: "Sinkage modulus", unit: "kPa/mᴺ", factor: 1e-3 },
+  sinkage_exponent: { name: "Sinkage exponent", unit: "", factor: 1 },
+  shearing_radius_m: { name: "Shearing radius", unit: "mm", factor: 1e3 },
 };
 
 export const METHOD_NAMES = { quadrature: "Quadrature", linearised: "Linearised", explicit: "Explicit" };

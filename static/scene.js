@@ -124,11 +124,12 @@ function sinkageMark({ centre: [cx, cy], R, outer, scale }, sinkage) {
   const x = cx + outer + 22;
   const bottom = cy + R;
   const surface = bottom - sinkage * scale;
+  const labelY = bottom - surface > ROOM_FOR_TEXT ? (surface + bottom) / 2 + 4 : surface - 6;
   return [
     svg("line", { class: "extension", x1: cx, x2: x + 6, y1: bottom, y2: bottom }),
     svg("line", { class: "dimension", x1: x, x2: x, y1: surface, y2: bottom }),
     ...[surface, bottom].map((y) => svg("line", { class: "dimension", x1: x - 4, x2: x + 4, y1: y, y2: y })),
-    svg("text", { class: "scene-label strong", x: x + 8, y: bottom - surface > ROOM_FOR_TEXT ? (surface + bottom) / 2 + 4 : surface - 6 }, `z ${quantity("sinkage_m", sinkage)}`),
+    svg("text", { class: "scene-label strong", x: x + 8, y: labelY }, `z ${quantity("sinkage_m", sinkage)}`),
   ];
 }
 
@@ -138,33 +139,42 @@ function arrowLabel(kind, symbol, value, { y, ...place }, stacked) {
   return stacked ? [line(symbol, y - LINE), line(value, y)] : [line(`${symbol} ${value}`, y)];
 }
 
-function forceArrows({ centre: [cx, cy], R }, { longitudinal_force_n: pull, normal_force_n: normal, torque_n_m: torque }) {
-  const largest = Math.max(Math.abs(pull), Math.abs(normal)) || 1;
-  const perNewton = (LONGEST_ARROW * R) / largest;
-  const forwards = pull >= 0;
-  const stacked = R < ROOMY_RADIUS;
-  const clear = TORQUE_RADIUS * R + 16;
-  const beside = cy - 0.55 * normal * perNewton;
-
-  const rho = TORQUE_RADIUS * R;
+/** The torque on the left of the hub: clockwise, up along that side, while it drives a wheel that moves to the right. */
+function torqueArrow([cx, cy], rho, torque) {
+  const sense = torque >= 0 ? 1 : -1;
+  const end = Math.PI - sense * TORQUE_HALF_SPAN;
   const onArc = (angle) => [cx + rho * Math.cos(angle), cy - rho * Math.sin(angle)];
-  const from = torque >= 0 ? Math.PI + TORQUE_HALF_SPAN : Math.PI - TORQUE_HALF_SPAN;
-  const to = torque >= 0 ? Math.PI - TORQUE_HALF_SPAN : Math.PI + TORQUE_HALF_SPAN;
-  const [x1, y1] = onArc(from);
-  const [x2, y2] = onArc(to);
   // The head follows the circle's tangent at its end, turned back a little because a head is straight.
-  const tangent = torque >= 0 ? -to + Math.PI / 2 + 0.25 : -to - Math.PI / 2 - 0.25;
+  const tangent = -end + sense * (Math.PI / 2 + 0.25);
+  const arc = `M${coordinates([onArc(Math.PI + sense * TORQUE_HALF_SPAN)])}A${rho} ${rho} 0 0 ${sense > 0 ? 1 : 0} ${coordinates([onArc(end)])}`;
+  return svg("g", { class: "arrow", "data-arrow": "torque" },
+    svg("path", { class: "turn", d: arc }),
+    ...(torque === 0 ? [] : [arrowHead(onArc(end), tangent, 10)]));
+}
+
+function forceArrows({ centre, R }, { longitudinal_force_n: pull, normal_force_n: normal, torque_n_m: torque }) {
+  const [cx, cy] = centre;
+  const perNewton = (LONGEST_ARROW * R) / (Math.max(Math.abs(pull), Math.abs(normal)) || 1);
+  const rho = TORQUE_RADIUS * R;
+  const stacked = R < ROOMY_RADIUS;
+  // Right of the hub F_z keeps above F_x; left of it the labels keep above and below the torque's arc.
+  const aboveArc = cy - rho - 12;
+  const belowArc = cy + rho + (stacked ? 16 + LINE : 16);
+  const clearOfPull = stacked ? 3 * LINE : 2 * LINE;
+  const besideArrow = 0.55 * Math.abs(normal) * perNewton;
+  const normalY = cy - Math.sign(normal || 1) * Math.max(besideArrow, clearOfPull);
+  const right = { x: cx + 9 };
+  const left = { x: cx - 9, "text-anchor": "end" };
+  const pullPlace = pull >= 0 ? { ...right, y: cy - 9 } : { ...left, y: belowArc };
 
   return [
-    svg("g", { class: "arrow", "data-arrow": "torque" },
-      svg("path", { class: "turn", d: `M${x1} ${y1}A${rho} ${rho} 0 0 ${torque >= 0 ? 1 : 0} ${x2} ${y2}` }),
-      ...(torque === 0 ? [] : [arrowHead([x2, y2], tangent, 10)])),
-    straightArrow("longitudinal", [cx, cy], [pull * perNewton, 0]),
-    straightArrow("normal", [cx, cy], [0, -normal * perNewton]),
+    torqueArrow(centre, rho, torque),
+    straightArrow("longitudinal", centre, [pull * perNewton, 0]),
+    straightArrow("normal", centre, [0, -normal * perNewton]),
     svg("circle", { class: "hub", cx, cy, r: 3.5 }),
-    ...arrowLabel("normal", "F_z", quantity("normal_force_n", normal), { x: cx + 9, y: normal >= 0 ? Math.min(beside, cy - 30) : Math.max(beside, cy + 30) }, stacked),
-    ...arrowLabel("longitudinal", "F_x", quantity("longitudinal_force_n", pull), forwards ? { x: cx + 9, y: cy - 9 } : { x: cx - 9, y: cy + clear + (stacked ? LINE : 0), "text-anchor": "end" }, stacked),
-    ...arrowLabel("torque", "T", quantity("torque_n_m", torque), { x: cx - 9, y: cy - clear + 4, "text-anchor": "end" }, stacked),
+    ...arrowLabel("normal", "F_z", quantity("normal_force_n", normal), { ...right, y: normalY }, stacked),
+    ...arrowLabel("longitudinal", "F_x", quantity("longitudinal_force_n", pull), pullPlace, stacked),
+    ...arrowLabel("torque", "T", quantity("torque_n_m", torque), { ...left, y: aboveArc }, stacked),
   ];
 }
 
@@ -194,10 +204,10 @@ export function createScene(host, note) {
     const { radius, lugHeight, lugCount, forces, profile } = spec;
     const place = layout(size, { radius, lugHeight });
     surface.setAttribute("viewBox", `0 0 ${size.width} ${size.height}`);
+    const said = (name) => quantity(name, forces[name]);
     surface.setAttribute("aria-label",
-      `Wheel of radius ${significant(radius * 1e3)} mm, sunk ${quantity("sinkage_m", forces.sinkage_m)}, moving right. `
-      + `Drawbar pull ${quantity("longitudinal_force_n", forces.longitudinal_force_n)}, normal force ${quantity("normal_force_n", forces.normal_force_n)}, `
-      + `torque ${quantity("torque_n_m", forces.torque_n_m)}.`);
+      `Wheel of radius ${significant(radius * 1e3)} mm, sunk ${said("sinkage_m")}, moving right. `
+      + `Drawbar pull ${said("longitudinal_force_n")}, normal force ${said("normal_force_n")}, torque ${said("torque_n_m")}.`);
     surface.replaceChildren(
       ...soil(place, forces.angles),
       ...(profile ? stressAlongContact(place, profile.columns) : []),

@@ -5,7 +5,7 @@ use terramechanics::Slip;
 use utoipa::openapi::schema::{ArrayBuilder, OneOfBuilder};
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::wire::{Entry, Field, Number, Object, Scope, Spec, Wire, wire_object};
+use crate::wire::{Entry, Field, Nested, Number, Object, Scope, Spec, Wire, wire_object};
 
 const SLIP: Number = Number::new("Slip ratio s [–].", -1.0, 1.0);
 const FEWEST: usize = 2;
@@ -27,14 +27,19 @@ pub(crate) enum SlipAxis {
     List(Vec<Field<f64>>),
 }
 
+const RANGE: Nested<SlipRangeDto> = Nested::required("Equally spaced slips.");
+
 /// A range or a list of slips.
 pub(crate) struct SlipAxisSpec;
 
 impl Spec for SlipAxisSpec {
     fn schema(&self) -> RefOr<Schema> {
-        let range = crate::wire::Nested::<SlipRangeDto>::required("Equally spaced slips.").schema();
         let list = ArrayBuilder::new().items(SLIP.schema()).min_items(Some(FEWEST)).max_items(Some(MOST));
-        OneOfBuilder::new().description(Some("The slips: a range, or a list.")).item(range).item(list).into()
+        OneOfBuilder::new().description(Some("The slips: a range, or a list.")).item(RANGE.schema()).item(list).into()
+    }
+
+    fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
+        RANGE.schemas(found);
     }
 
     fn is_required(&self) -> bool {
@@ -98,7 +103,11 @@ impl SlipRangeDto {
         let (from, to) = (self.from().required_number(place), self.to().required_number(place));
         let points = self.points().required_number(place);
         let (from, to, steps) = (from?, to?, points? - 1.0);
-        // Both ends exactly, and every slip within them: a weighted mean, not a start plus steps.
-        (0..points? as u32).map(f64::from).map(|i| Slip::new((from * (steps - i) + to * i) / steps).ok()).collect()
+        let slip = |i: f64| {
+            let share = i / steps;
+            // Both ends exactly, and rounding carries none beyond them.
+            if i == steps { to } else { (from * (1.0 - share) + to * share).clamp(from.min(to), from.max(to)) }
+        };
+        (0..points? as u32).map(|i| Slip::new(slip(f64::from(i))).ok()).collect()
     }
 }

@@ -108,11 +108,17 @@ impl OperationEntries<'_> {
     fn sinkage(&self, place: &Scope<'_>, wheel: Option<&Wheel>) -> Option<Sinkage> {
         let ways = [&self.sinkage, &self.static_sinkage, &self.normal_load];
         let values = ways.map(|entry| entry.checked(place));
-        let given = ways.iter().filter(|entry| entry.is_present()).count();
-        if given != 1 {
-            let names = ways.map(|entry| format!("`{}`", entry.name)).join(", ");
-            let found = if given == 0 { "none" } else { "more than one" };
-            place.fault(format_args!("exactly one of {names} is required, {found} is given"));
+        let given: Vec<&str> = ways.iter().filter(|entry| entry.is_present()).map(|entry| entry.name).collect();
+        if given.len() != 1 {
+            let [sinkage, static_sinkage, load] = ways.map(|entry| entry.name);
+            if given.is_empty() {
+                place.field(sinkage).fault(format_args!("is required, or `{static_sinkage}` or `{load}`"));
+            }
+            for entry in ways.iter().filter(|entry| entry.is_present()) {
+                place
+                    .field(entry.name)
+                    .fault(format_args!("only one of `{sinkage}`, `{static_sinkage}` and `{load}` may be given"));
+            }
             return None;
         }
         match values {
@@ -151,17 +157,20 @@ impl MethodEntries<'_> {
             }
         };
         let (lambda_a, lambda_b) = (lambda(&self.lambda_a), lambda(&self.lambda_b));
+        let (geometric, half) = (PeakDepth::Geometric, PeakDepth::Half);
         let method = or_none(&self.method, place, |word| match word {
             "quadrature" => Some(Method::Quadrature),
-            "linearised" => Some(Method::Linearised { peak_depth: peak_depth.unwrap_or(PeakDepth::Geometric) }),
-            "explicit" => Some(Method::Explicit {
-                peak_depth: peak_depth.unwrap_or(PeakDepth::Half),
-                lambda_a: lambda_a?,
-                lambda_b: lambda_b?,
-            }),
+            "linearised" => Some(Method::Linearised { peak_depth: peak_depth.unwrap_or(geometric) }),
+            "explicit" => Some(Method::EXPLICIT),
             _ => None,
         });
-        Some(method?.unwrap_or(Method::Quadrature))
+        match method?.unwrap_or(Method::Quadrature) {
+            Method::Explicit { .. } => {
+                let peak_depth = peak_depth.unwrap_or(half);
+                Some(Method::Explicit { peak_depth, lambda_a: lambda_a?, lambda_b: lambda_b? })
+            }
+            other => Some(other),
+        }
     }
 }
 

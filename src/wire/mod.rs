@@ -25,6 +25,9 @@ pub(crate) trait Spec {
     /// The schema, with the field's description.
     fn schema(&self) -> RefOr<Schema>;
 
+    /// Adds the named schemas that it refers to.
+    fn schemas(&self, _found: &mut Vec<(String, RefOr<Schema>)>) {}
+
     /// Whether a request without the field is refused whatever else it has.
     fn is_required(&self) -> bool {
         false

@@ -46,9 +46,19 @@ impl Number {
         if value >= self.min && below_top && (!self.integer || value.fract() == 0.0) {
             Some(value)
         } else {
-            place.fault(format_args!("must be {self}, not {value:?}"));
+            place.fault(format_args!("must be {self}, not {}", Plain(value)));
             None
         }
+    }
+}
+
+/// A number as people write it: with an exponent only where zeros would have to be counted.
+struct Plain(f64);
+
+impl fmt::Display for Plain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        if size != 0.0 && !(1e-4..1e6).contains(&size) { write!(f, "{:e}", self.0) } else { write!(f, "{}", self.0) }
     }
 }
 
@@ -56,9 +66,9 @@ impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let whole = if self.integer { "a whole number " } else { "" };
         if self.open_above {
-            write!(f, "{whole}at least {:?} and less than {:?}", self.min, self.max)
+            write!(f, "{whole}at least {} and less than {}", Plain(self.min), Plain(self.max))
         } else {
-            write!(f, "{whole}from {:?} to {:?}", self.min, self.max)
+            write!(f, "{whole}from {} to {}", Plain(self.min), Plain(self.max))
         }
     }
 }

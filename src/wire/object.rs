@@ -83,6 +83,11 @@ impl<T: ToSchema> Spec for Nested<T> {
         RefOr::Ref(reference)
     }
 
+    fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
+        found.push((T::name().into_owned(), T::schema()));
+        T::schemas(found);
+    }
+
     fn is_required(&self) -> bool {
         self.required
     }
@@ -255,6 +260,12 @@ macro_rules! wire_object {
         impl ::utoipa::ToSchema for $object {
             fn name() -> ::std::borrow::Cow<'static, str> {
                 $title.into()
+            }
+
+            fn schemas(found: &mut Vec<(String, ::utoipa::openapi::RefOr<::utoipa::openapi::Schema>)>) {
+                use $crate::wire::Spec;
+                let empty = Self::default();
+                $(empty.$field().spec.schemas(found);)+
             }
         }
     };

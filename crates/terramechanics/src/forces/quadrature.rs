@@ -223,10 +223,11 @@ impl<'a> Rim<'a> {
             sums.shear_sin += front_shear * front.sin + rear_shear * rear.sin;
             sums.shear_plain += both_shear;
             sums.shear_size += front_shear.abs() + rear_shear.abs();
-            for k in 0..2 {
-                sums.normal_null[k] += both_normal * null[k];
-                sums.shear_null[k] += both_shear * null[k];
-            }
+            let [high, higher] = *null;
+            sums.normal_null[0] += both_normal * high;
+            sums.normal_null[1] += both_normal * higher;
+            sums.shear_null[0] += both_shear * high;
+            sums.shear_null[1] += both_shear * higher;
         }
         sums.estimate_errors();
         Panel { from, to, sums }

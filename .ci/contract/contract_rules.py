@@ -1,0 +1,133 @@
+"""What the contract says in words rather than in JSON Schema, for schemathesis.
+
+The document tells readers that exactly one way to the sinkage, one way to the slip, and either a preset or the fields
+have to be given. Left to the schema alone nearly every generated request breaks one of these and never reaches the
+model. So the rules are put into the schemas before requests are generated, and checks hold the service to the rest.
+"""
+
+import csv
+import io
+import json
+import math
+from copy import deepcopy
+from itertools import product
+
+import schemathesis
+
+SINKAGE = (["sinkage_m"], ["static_sinkage_m"], ["normal_load_n"])
+SLIP = (["slip"], ["forward_velocity_m_s", "angular_velocity_rad_s"])
+
+# Of each schema: groups of alternatives, of each of which exactly one has to be given, whole.
+RULES = {
+    "ForcesRequest": (SINKAGE, SLIP),
+    "StressProfileRequest": (SINKAGE, SLIP),
+    "SlipSweepRequest": (SINKAGE,),
+}
+
+# Of each schema: what has to be given where no preset is named.
+WITHOUT_PRESET = {
+    "Wheel": ["radius_m", "width_m"],
+    "Soil": ["cohesion_pa", "friction_angle_rad", "shear_modulus_m", "pressure_sinkage"],
+}
+
+# How a refusal starts whose reason stands in the schema: a bound, a type, a word, a name, a field that is left out.
+IN_THE_SCHEMA = ("must be ", "must have ", "unknown name ", "unknown field", "is required")
+# The one field that may be required in spite of the schema: a value that nobody published for a preset.
+NOT_PUBLISHED = "is required: the catalogue has no published value"
+
+
+@schemathesis.hook
+def before_load_schema(context, raw_schema):
+    schemas = raw_schema["components"]["schemas"]
+    for name, groups in RULES.items():
+        schemas[name] = one_of([chosen(schemas[name], groups, choice) for choice in product(*groups)])
+    for name, fields in WITHOUT_PRESET.items():
+        schemas[name] = one_of(
+            [requiring(schemas[name], ["preset"]), requiring(schemas[name], fields, without=["preset"])]
+        )
+
+
+def one_of(variants):
+    return {"oneOf": variants}
+
+
+def chosen(schema, groups, choice):
+    """The schema with one alternative of each group required and the others gone."""
+    given = [field for alternative in choice for field in alternative]
+    others = [field for group in groups for alternative in group for field in alternative if field not in given]
+    return requiring(schema, given, others)
+
+
+def requiring(schema, fields, without=()):
+    assert schema["additionalProperties"] is False, "only then is a field that is not listed refused"
+    missing = [field for field in [*fields, *without] if field not in schema["properties"]]
+    assert not missing, f"the contract has no {missing}"
+    variant = deepcopy(schema)
+    variant["required"] = [*schema.get("required", []), *fields]
+    variant["properties"] = {name: of for name, of in variant["properties"].items() if name not in without}
+    return variant
+
+
+@schemathesis.hook
+def before_call(context, case, kwargs):
+    """Asks for the table instead of JSON in half of the requests that offer it, the same half in every run."""
+    answers = case.operation.definition.raw.get("responses", {}).get("200", {}).get("content", {})
+    if "text/csv" in answers and len(json.dumps(case.body, default=str)) % 2:
+        case.headers = {**(case.headers or {}), "Accept": "text/csv"}
+
+
+@schemathesis.check
+def refuses_only_what_the_schema_cannot_say(ctx, response, case):
+    if response.status_code != 422 or not case.meta.generation.mode.is_positive:
+        return
+    for fault in response.json()["errors"]:
+        detail = fault["detail"]
+        if detail.startswith(IN_THE_SCHEMA) and not detail.startswith(NOT_PUBLISHED):
+            raise AssertionError(f"The schema allows what the service refuses: {fault['pointer']} {detail}")
+
+
+@schemathesis.check
+def a_problem_tells_the_truth(ctx, response, case):
+    """The status is the one sent, and every pointer leads to a field, or to where one is missing."""
+    if response.status_code < 400 or case.method == "HEAD":
+        return
+    problem = response.json()
+    assert problem["status"] == response.status_code, f"the document says {problem['status']}"
+    if response.status_code == 422:
+        assert problem["errors"], "a refusal names no fault"
+    for fault in problem.get("errors", []):
+        assert leads_somewhere(fault["pointer"], case.body), f"{fault['pointer']} does not exist in the request"
+
+
+def leads_somewhere(pointer, body):
+    if pointer == "":
+        return True
+    *around, last = [part.replace("~1", "/").replace("~0", "~") for part in pointer.split("/")[1:]]
+    place = body
+    for part in around:
+        if isinstance(place, list):
+            place = place[int(part)] if int(part) < len(place) else None
+        else:
+            place = place.get(part) if isinstance(place, dict) else None
+    return isinstance(place, dict) or (isinstance(place, list) and int(last) < len(place))
+
+
+@schemathesis.check
+def columns_are_complete(ctx, response, case):
+    """Columns have one length, and hold finite numbers or nothing."""
+    if response.status_code != 200 or case.method != "POST":
+        return
+    if response.headers["content-type"][0].startswith("text/csv"):
+        names, *rows = csv.reader(io.StringIO(response.text, newline=""))
+        assert rows, "the table has no rows"
+        assert all(len(row) == len(names) for row in rows), "a row of the table is too short or too long"
+        cells = [cell for row in rows for cell in row if cell]
+    else:
+        columns = json.loads(response.content, parse_constant=not_a_number).get("columns", {})
+        assert len({len(column) for column in columns.values()}) <= 1, "the columns differ in length"
+        cells = [cell for column in columns.values() for cell in column if cell is not None]
+    assert all(math.isfinite(float(cell)) for cell in cells), "a cell is not a finite number"
+
+
+def not_a_number(text):
+    raise AssertionError(f"{text} is not JSON")

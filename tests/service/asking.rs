@@ -1,0 +1,147 @@
+//! Asking the service and reading its answers.
+
+use axum::body::{Body, to_bytes};
+use axum::http::{HeaderMap, Request, StatusCode};
+use serde_json::{Value, json};
+use terramechanics_server::{Limits, Service, app};
+use tower::ServiceExt;
+
+/// An answer of the service.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    pub(crate) status: StatusCode,
+    pub(crate) headers: HeaderMap,
+    pub(crate) text: String,
+}
+
+impl Answer {
+    /// The body as JSON.
+    pub(crate) fn json(&self) -> Value {
+        serde_json::from_str(&self.text).unwrap_or_else(|error| panic!("{error}: {}", self.text))
+    }
+
+    pub(crate) fn header(&self, name: &str) -> &str {
+        self.headers.get(name).map_or("", |value| value.to_str().expect("a header of text"))
+    }
+
+    /// The body of a 200.
+    pub(crate) fn ok(&self) -> Value {
+        assert_eq!(self.status, StatusCode::OK, "{}", self.text);
+        self.json()
+    }
+
+    /// The body of a failure, which has to be a problem document of that status.
+    pub(crate) fn problem(&self, status: u16) -> Value {
+        assert_eq!(self.status.as_u16(), status, "{}", self.text);
+        assert_eq!(self.header("content-type"), "application/problem+json");
+        assert!(!self.header("x-request-id").is_empty());
+        let problem = self.json();
+        assert_eq!(problem["status"], status);
+        for member in ["type", "title", "detail"] {
+            assert!(problem[member].as_str().is_some_and(|text| !text.is_empty()), "{member} in {problem}");
+        }
+        problem
+    }
+
+    /// The JSON pointers of a 422.
+    pub(crate) fn pointers(&self) -> Vec<String> {
+        let problem = self.problem(422);
+        let errors = problem["errors"].as_array().expect("errors");
+        errors.iter().map(|error| error["pointer"].as_str().expect("a pointer").to_owned()).collect()
+    }
+
+    /// What the 422 says of a pointer.
+    pub(crate) fn fault(&self, pointer: &str) -> String {
+        let problem = self.problem(422);
+        let errors = problem["errors"].as_array().expect("errors");
+        let fault = errors.iter().find(|error| error["pointer"] == pointer);
+        fault.unwrap_or_else(|| panic!("no fault of {pointer} in {problem}"))["detail"].as_str().expect("a detail").to_owned()
+    }
+}
+
+/// Sends a request to a service of its own.
+pub(crate) fn send(request: Request<Body>) -> Answer {
+    send_to(Service::new(Limits::default()), request)
+}
+
+pub(crate) fn send_to(service: Service, request: Request<Body>) -> Answer {
+    runtime().block_on(async {
+        let response = app(service).oneshot(request).await.expect("the service always answers");
+        let (parts, body) = response.into_parts();
+        let bytes = to_bytes(body, usize::MAX).await.expect("a body");
+        Answer { status: parts.status, headers: parts.headers, text: String::from_utf8(bytes.to_vec()).expect("text") }
+    })
+}
+
+pub(crate) fn runtime() -> tokio::runtime::Runtime {
+    tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime")
+}
+
+pub(crate) fn request(method: &str, path: &str, headers: &[(&str, &str)], body: impl Into<Body>) -> Request<Body> {
+    let builder =
+        headers.iter().fold(Request::builder().method(method).uri(path), |builder, (name, value)| builder.header(*name, *value));
+    builder.body(body.into()).expect("a request")
+}
+
+pub(crate) fn get(path: &str) -> Answer {
+    send(request("GET", path, &[], Body::empty()))
+}
+
+pub(crate) fn post(path: &str, body: &Value) -> Answer {
+    post_text(path, body.to_string())
+}
+
+pub(crate) fn post_text(path: &str, body: impl Into<Body>) -> Answer {
+    send(request("POST", path, &[("content-type", "application/json")], body))
+}
+
+pub(crate) fn post_for_csv(path: &str, body: &Value) -> Answer {
+    send(request("POST", path, &[("content-type", "application/json"), ("accept", "text/csv")], body.to_string()))
+}
+
+/// `base` with some fields replaced or added; a null takes a field away.
+pub(crate) fn with(base: &Value, changes: Value) -> Value {
+    let (Value::Object(mut fields), Value::Object(changes)) = (base.clone(), changes) else { panic!("objects") };
+    for (name, change) in changes {
+        match (fields.get(&name), change) {
+            (_, Value::Null) => {
+                fields.remove(&name);
+            }
+            (Some(old @ Value::Object(_)), change @ Value::Object(_)) => {
+                let merged = with(old, change);
+                fields.insert(name, merged);
+            }
+            (_, change) => {
+                fields.insert(name, change);
+            }
+        }
+    }
+    Value::Object(fields)
+}
+
+/// The letter's own example (its Fig. 1b), spelled out.
+pub(crate) fn letter() -> Value {
+    json!({
+        "wheel": {"radius_m": 0.2, "width_m": 0.1},
+        "soil": {
+            "cohesion_pa": 0, "friction_angle_rad": 0.478, "shear_modulus_m": 0.005,
+            "pressure_sinkage": {"law": "bekker", "k_c": -660, "k_phi": 754_130, "n0": 0.91}
+        },
+        "slip": 0.2, "sinkage_m": 0.02
+    })
+}
+
+/// The columns of a table by name; empty cells are none.
+pub(crate) fn table(text: &str) -> Vec<(String, Vec<Option<f64>>)> {
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let mut columns: Vec<(String, Vec<Option<f64>>)> = names.iter().map(|name| ((*name).to_owned(), Vec::new())).collect();
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        assert_eq!(cells.len(), columns.len(), "{line}");
+        for ((_, column), cell) in columns.iter_mut().zip(cells) {
+            column.push(if cell.is_empty() { None } else { Some(cell.parse().expect("a number")) });
+        }
+    }
+    columns
+}

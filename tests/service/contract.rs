@@ -1,0 +1,234 @@
+//! What the contract promises is what the service does: examples, shapes, bounds.
+
+use serde_json::{Value, json};
+
+use crate::asking::{get, letter, post, with};
+use crate::documents::{document, operations};
+
+/// Whether `value` has the shape that the document gives to a schema.
+fn has_shape(document: &Value, schema: &Value, value: &Value) {
+    let mut schema = schema.clone();
+    schema["components"] = document["components"].clone();
+    let validator = jsonschema::draft202012::new(&schema).expect("a schema");
+    let faults: Vec<String> = validator.iter_errors(value).map(|error| format!("{}: {error}", error.instance_path())).collect();
+    assert!(faults.is_empty(), "{faults:?}");
+}
+
+fn numbers_agree(example: &Value, reply: &Value, at: &str) {
+    match (example, reply) {
+        (Value::Number(a), Value::Number(b)) => {
+            let (a, b) = (a.as_f64().expect("a number"), b.as_f64().expect("a number"));
+            // Examples are rounded to six digits.
+            assert!((a - b).abs() <= 1e-5 * b.abs().max(1e-12), "{at}: {a} in the document, {b} in the reply");
+        }
+        (Value::Object(a), Value::Object(b)) => {
+            assert_eq!(a.keys().collect::<Vec<_>>(), b.keys().collect::<Vec<_>>(), "{at}");
+            a.iter().for_each(|(name, value)| numbers_agree(value, &b[name], &format!("{at}/{name}")));
+        }
+        (Value::Array(a), Value::Array(b)) => {
+            assert_eq!(a.len(), b.len(), "{at}");
+            a.iter().zip(b).for_each(|(a, b)| numbers_agree(a, b, at));
+        }
+        _ => assert_eq!(example, reply, "{at}"),
+    }
+}
+
+#[test]
+fn every_example_is_answered_as_documented() {
+    let document = document();
+    let mut run = 0;
+    for (path, method, operation) in operations(&document) {
+        let documented = &operation["responses"]["200"]["content"]["application/json"];
+        if method == "post" {
+            let request = &operation["requestBody"]["content"]["application/json"];
+            assert!(request["example"].is_object(), "{path} has no example");
+            has_shape(&document, &request["schema"], &request["example"]);
+            let reply = post(&path, &request["example"]).ok();
+            has_shape(&document, &documented["schema"], &reply);
+            numbers_agree(&documented["example"], &reply, &path);
+            let table = crate::asking::post_for_csv(&path, &request["example"]).text;
+            let example = operation["responses"]["200"]["content"]["text/csv"]["example"].as_str().expect("an example table");
+            assert_eq!(table.lines().next(), example.lines().next(), "{path}");
+            assert_eq!(table.lines().count(), example.lines().count(), "{path}");
+            run += 1;
+        } else if documented.is_object() {
+            let path = path.replace("{id}", if path.contains("wheels") { "letter" } else { "letter-sand" });
+            let reply = get(&path).ok();
+            has_shape(&document, &documented["schema"], &reply);
+            if documented["example"].is_object() {
+                has_shape(&document, &documented["schema"], &documented["example"]);
+            }
+            run += 1;
+        }
+    }
+    assert!(run >= 10, "only {run} operations were asked");
+}
+
+#[test]
+fn replies_of_all_kinds_have_the_documented_shape() {
+    let document = document();
+    let schema_of =
+        |path: &str| document["paths"][path]["post"]["responses"]["200"]["content"]["application/json"]["schema"].clone();
+    for changes in [json!({"slip": -1}), json!({"slip": 1}), json!({"slip": -0.5, "soil": {"pressure_sinkage": {"n1": 0.2}}})] {
+        for method in ["quadrature", "linearised", "explicit"] {
+            let body = with(&with(&letter(), json!({"method": method})), changes.clone());
+            has_shape(&document, &schema_of("/v1/forces"), &post("/v1/forces", &body).ok());
+        }
+    }
+    let gaps = json!({"slip": {"from": -1, "to": 1, "points": 21}, "contact": {"rule": "wong_reece", "c1": 0.5, "c2": 1.0}});
+    has_shape(&document, &schema_of("/v1/slip-sweep"), &post("/v1/slip-sweep", &with(&letter(), gaps)).ok());
+    let problem = json!({"$ref": "#/components/schemas/Problem"});
+    has_shape(&document, &problem, &post("/v1/forces", &json!({"slip": 3})).problem(422));
+    has_shape(&document, &problem, &crate::asking::post_text("/v1/forces", "{").problem(400));
+    has_shape(&document, &problem, &get("/nope").problem(404));
+}
+
+/// A number with bounds in a request schema: where it is, and the variants chosen on the way there.
+struct Bounded {
+    pointer: String,
+    schema: Value,
+    /// The tagged objects around it, with the tag's value: pointer, tag, value.
+    variants: Vec<(String, String, String)>,
+}
+
+fn bounded_numbers(
+    document: &Value,
+    schema: &Value,
+    pointer: &str,
+    variants: &[(String, String, String)],
+    found: &mut Vec<Bounded>,
+) {
+    if let Some(target) = schema["$ref"].as_str() {
+        let target = document.pointer(&target[1..]).expect("a schema");
+        return bounded_numbers(document, target, pointer, variants, found);
+    }
+    if let Some(options) = schema["oneOf"].as_array() {
+        for option in options {
+            let mut variants = variants.to_vec();
+            for (name, property) in option["properties"].as_object().into_iter().flatten() {
+                if let (Some([tag]), None) = (property["enum"].as_array().map(Vec::as_slice), property.get("description")) {
+                    variants.push((pointer.to_owned(), name.clone(), tag.as_str().expect("a tag").to_owned()));
+                }
+            }
+            bounded_numbers(document, option, pointer, &variants, found);
+        }
+    }
+    for (name, property) in schema["properties"].as_object().into_iter().flatten() {
+        bounded_numbers(document, property, &format!("{pointer}/{name}"), variants, found);
+    }
+    if schema["type"] == "array" {
+        bounded_numbers(document, &schema["items"], &format!("{pointer}/0"), variants, found);
+    }
+    if schema["type"] == "number" || schema["type"] == "integer" {
+        found.push(Bounded { pointer: pointer.to_owned(), schema: schema.clone(), variants: variants.to_vec() });
+    }
+}
+
+/// A request around the field in which both its bounds are physically possible.
+fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
+    let sweep = path == "/v1/slip-sweep";
+    let slip = |slip: f64| if sweep { json!({"from": slip, "to": slip, "points": 2}) } else { json!(slip) };
+    let mut body = with(&letter(), json!({"slip": slip(0.0)}));
+    let law = field.variants.iter().find(|(_, tag, _)| tag == "law").map_or("bekker", |(_, _, law)| law);
+    let parameters = match (law, field.pointer.rsplit('/').next()) {
+        ("bekker", Some("k_c")) => json!({"k_c": 0, "k_phi": 1e12, "n0": 1}),
+        ("bekker", _) => json!({"k_c": 1e9, "k_phi": 1e6, "n0": 1}),
+        ("direct", _) => json!({"k_s": 1e6, "n0": 1}),
+        ("reece", Some("k_c")) => json!({"k_c": 0, "k_phi": 100, "unit_weight_n_m3": 1e4, "n0": 1}),
+        ("reece", _) => json!({"k_c": 1e9, "k_phi": 1, "unit_weight_n_m3": 1e3, "n0": 1}),
+        _ => json!({"k": 1e6, "m": 1, "n0": 1}),
+    };
+    let around_law = match (law, field.pointer.rsplit('/').next()) {
+        ("reece", Some("k_c")) => json!({"cohesion_pa": 0}),
+        _ => json!({"cohesion_pa": 1000}),
+    };
+    let around = match field.pointer.as_str() {
+        "/wheel/radius_m" => json!({"sinkage_m": 5e-4}),
+        pointer if pointer.starts_with("/soil/pressure_sinkage") => {
+            body = with(&body, json!({"soil": {"pressure_sinkage": null}}));
+            json!({"soil": with(&around_law, json!({"pressure_sinkage": with(&parameters, json!({"law": law}))}))})
+        }
+        "/contact/c1" => {
+            json!({"contact": {"rule": "wong_reece", "c2": if value > 0.5 { -1.5 } else { 1.5 }}, "slip": slip(1.0)})
+        }
+        "/contact/c2" => {
+            json!({"contact": {"rule": "wong_reece", "c1": if value > 0.0 { 0.0 } else { 1.0 }}, "slip": slip(0.25)})
+        }
+        "/contact/c3" => json!({"contact": {"c1": 0.65, "c2": 0}}),
+        "/forward_velocity_m_s" => json!({"slip": null, "angular_velocity_rad_s": 5.0_f64.copysign(value)}),
+        "/angular_velocity_rad_s" => json!({"slip": null, "forward_velocity_m_s": 1.0_f64.copysign(value)}),
+        "/sinkage_m" => json!({"wheel": {"radius_m": 100}}),
+        "/static_sinkage_m" => json!({"sinkage_m": null, "wheel": {"radius_m": 100}}),
+        "/normal_load_n" => {
+            json!({"sinkage_m": null, "wheel": {"radius_m": 100, "width_m": 100}, "soil": {"pressure_sinkage": {"k_phi": 1e9}}})
+        }
+        "/slip/from" => json!({"slip": {"to": 0, "points": 3}}),
+        "/slip/to" => json!({"slip": {"from": 0, "points": 3}}),
+        "/slip/points" => json!({"slip": {"from": 0, "to": 1}}),
+        "/slip/0" => json!({"slip": [0, 0.1]}),
+        "/lambda_a" | "/lambda_b" => json!({"method": "explicit"}),
+        _ => json!({}),
+    };
+    let mut body = with(&body, around);
+    for (pointer, tag, name) in &field.variants {
+        if tag == "rule" {
+            body = with(&body, json!({"contact": {"rule": name}}));
+            if name != "wong_reece" {
+                body = with(&body, json!({"contact": {"c1": null, "c2": null}}));
+            }
+        }
+        assert!(body.pointer(pointer).is_some(), "{pointer}");
+    }
+    set(&mut body, &field.pointer, &field.schema, value);
+    body
+}
+
+fn set(body: &mut Value, pointer: &str, schema: &Value, value: f64) {
+    let value = if schema["type"] == "integer" { json!(value as i64) } else { json!(value) };
+    let (parent, name) = pointer.rsplit_once('/').expect("a pointer");
+    match body.pointer_mut(parent).expect("an object around the field") {
+        Value::Object(fields) => {
+            fields.insert(name.to_owned(), value);
+        }
+        Value::Array(items) => items[0] = value,
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn every_numeric_bound_is_enforced_just_outside_and_accepted_on_the_edge() {
+    let document = document();
+    let mut checked = 0;
+    for (path, method, operation) in operations(&document) {
+        if method != "post" {
+            continue;
+        }
+        let mut fields = Vec::new();
+        bounded_numbers(&document, &operation["requestBody"]["content"]["application/json"]["schema"], "", &[], &mut fields);
+        for field in &fields {
+            let bound = |name: &str| field.schema[name].as_f64();
+            let whole = field.schema["type"] == "integer";
+            let min = bound("minimum").unwrap_or_else(|| panic!("{path}{} has no lower bound", field.pointer));
+            let (edge, outside) = match (bound("maximum"), bound("exclusiveMaximum")) {
+                (Some(max), None) => (max, if whole { max + 1.0 } else { max.next_up() }),
+                (None, Some(max)) => (max.next_down(), max),
+                _ => panic!("{path}{} has no upper bound", field.pointer),
+            };
+            for (value, accepted) in
+                [(min, true), (edge, true), (if whole { min - 1.0 } else { min.next_down() }, false), (outside, false)]
+            {
+                let body = surroundings(&path, field, value);
+                let answer = post(&path, &body);
+                let place = format!("{path} {} = {value:e} in {body}", field.pointer);
+                if accepted {
+                    assert_eq!(answer.status, 200, "{place}: {}", answer.text);
+                } else {
+                    assert_eq!(answer.pointers(), [field.pointer.as_str()], "{place}");
+                    assert!(answer.fault(&field.pointer).starts_with("must be"), "{place}");
+                }
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 4 * 60, "only {checked} bounds were tried");
+}

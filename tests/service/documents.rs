@@ -1,0 +1,122 @@
+//! The contract as a document: complete, consistent, committed.
+
+use std::collections::BTreeSet;
+
+use serde_json::Value;
+
+use crate::asking::get;
+
+/// The committed document.
+const COMMITTED: &str = include_str!("../../openapi/openapi.json");
+
+pub(crate) fn document() -> Value {
+    serde_json::from_str(COMMITTED).expect("the document is JSON")
+}
+
+/// All operations: path, method, operation.
+pub(crate) fn operations(document: &Value) -> Vec<(String, String, Value)> {
+    let paths = document["paths"].as_object().expect("paths");
+    let of_path = |(path, item): (&String, &Value)| {
+        let methods = item.as_object().expect("methods").clone();
+        let path = path.clone();
+        methods.into_iter().map(move |(method, operation)| (path.clone(), method, operation))
+    };
+    paths.iter().flat_map(of_path).collect()
+}
+
+#[test]
+fn the_committed_document_is_the_generated_one() {
+    assert!(
+        COMMITTED == terramechanics_server::openapi_text(),
+        "write it anew: cargo run --release -- openapi > openapi/openapi.json"
+    );
+    assert_eq!(get("/openapi.json").text, COMMITTED);
+}
+
+#[test]
+fn the_document_has_the_routes_of_the_api() {
+    let document = document();
+    assert!(document["openapi"].as_str().is_some_and(|version| version.starts_with("3.1")));
+    let routes: BTreeSet<String> =
+        operations(&document).into_iter().map(|(path, method, _)| format!("{method} {path}")).collect();
+    let expected = [
+        "get /healthz",
+        "get /metrics",
+        "get /openapi.json",
+        "get /readyz",
+        "get /v1/model",
+        "get /v1/soils",
+        "get /v1/soils/{id}",
+        "get /v1/wheels",
+        "get /v1/wheels/{id}",
+        "post /v1/forces",
+        "post /v1/slip-sweep",
+        "post /v1/stress-profile",
+    ];
+    assert_eq!(routes, expected.map(str::to_owned).into());
+    // A documented path exists: asked with its method it is neither 404 nor 405; and no other method is.
+    for (path, method, _) in operations(&document) {
+        let path = path.replace("{id}", if path.contains("wheels") { "letter" } else { "letter-sand" });
+        for other in ["get", "post", "put", "delete", "patch"] {
+            let request = crate::asking::request(&other.to_uppercase(), &path, &[], axum::body::Body::empty());
+            let status = crate::asking::send(request).status.as_u16();
+            assert_eq!(status == 405, other != method, "{other} {path}: {status}");
+            assert_ne!(status, 404, "{path}");
+        }
+    }
+}
+
+#[test]
+fn no_reference_dangles() {
+    fn references(value: &Value, found: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => {
+                for (name, value) in fields {
+                    match value {
+                        Value::String(target) if name == "$ref" => found.push(target.clone()),
+                        _ => references(value, found),
+                    }
+                }
+            }
+            Value::Array(items) => items.iter().for_each(|item| references(item, found)),
+            _ => {}
+        }
+    }
+    let document = document();
+    let mut found = Vec::new();
+    references(&document, &mut found);
+    assert!(found.len() > 20);
+    for target in &found {
+        let pointer = target.strip_prefix('#').expect("a reference within the document");
+        assert!(document.pointer(pointer).is_some(), "{target}");
+    }
+    // And no schema is there that nothing uses.
+    for name in document["components"]["schemas"].as_object().expect("schemas").keys() {
+        assert!(found.contains(&format!("#/components/schemas/{name}")), "{name} is not used");
+    }
+}
+
+#[test]
+fn every_operation_says_what_it_does_and_how_it_fails() {
+    for (path, method, operation) in operations(&document()) {
+        let summary = operation["summary"].as_str().unwrap_or("");
+        assert!(summary.len() > 5, "{path} has no summary");
+        let responses = operation["responses"].as_object().expect("responses");
+        let mut expected = vec!["200", "405", "500", "503"];
+        match method.as_str() {
+            "post" => expected.extend(["400", "408", "413", "415", "422"]),
+            _ if path.contains("{id}") => expected.push("404"),
+            _ => {}
+        }
+        assert_eq!(responses.keys().map(String::as_str).collect::<BTreeSet<_>>(), expected.into_iter().collect(), "{path}");
+        for (status, response) in responses {
+            assert!(response["description"].as_str().is_some_and(|text| !text.is_empty()), "{path} {status}");
+            let types = response["content"].as_object().expect("content");
+            if status == "200" {
+                assert!(types.values().all(|content| content.get("schema").is_some()), "{path}");
+            } else {
+                assert_eq!(types.keys().collect::<Vec<_>>(), ["application/problem+json"], "{path} {status}");
+            }
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! The service as its clients see it: files mirror `src/api`.
+
+mod asking;
+mod catalogue;
+mod contract;
+mod documents;
+mod forces;
+mod page;
+mod problems;
+mod server;
+mod slip_sweep;
+mod stress_profile;

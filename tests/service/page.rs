@@ -1,0 +1,69 @@
+//! The page and the explorer: served whole, with a policy, from the binary alone.
+
+use axum::body::Body;
+
+use crate::asking::{get, request, send};
+
+#[test]
+fn the_page_has_a_strict_policy() {
+    let page = get("/");
+    assert_eq!(page.status, 200);
+    assert!(page.header("content-type").starts_with("text/html"));
+    let policy = page.header("content-security-policy");
+    assert!(
+        policy.contains("default-src 'none'") && policy.contains("script-src 'self'") && !policy.contains("unsafe"),
+        "{policy}"
+    );
+    assert_eq!(page.header("x-content-type-options"), "nosniff");
+}
+
+/// Every file that the page and its modules name is there, of the right type, and nothing comes from elsewhere.
+#[test]
+fn every_file_the_page_names_is_served() {
+    let mut to_read = vec!["/".to_owned()];
+    let mut read: Vec<String> = Vec::new();
+    while let Some(path) = to_read.pop() {
+        if read.contains(&path) {
+            continue;
+        }
+        let file = get(&path);
+        assert_eq!(file.status, 200, "{path}");
+        assert!(!file.text.contains("://cdn") && !file.text.contains("src=\"http"), "{path} comes from elsewhere");
+        if path.ends_with(".js") {
+            assert!(file.header("content-type").starts_with("text/javascript"));
+        }
+        for quoted in file.text.split(['"', '\'']) {
+            if let Some(name) = quoted.strip_prefix("./").filter(|name| name.ends_with(".js")) {
+                to_read.push(format!("/static/{name}"));
+            } else if quoted.starts_with("/static/") && quoted.contains('.') {
+                to_read.push(quoted.to_owned());
+            }
+        }
+        read.push(path);
+    }
+    assert!(
+        read.iter().filter(|path| path.ends_with(".js")).count() >= 5 && read.iter().any(|path| path.ends_with(".css")),
+        "{read:?}"
+    );
+}
+
+#[test]
+fn a_file_that_has_not_changed_is_not_sent_again() {
+    let tag = get("/").header("etag").to_owned();
+    assert!(!tag.is_empty());
+    let again = send(request("GET", "/", &[("if-none-match", &tag)], Body::empty()));
+    assert_eq!((again.status.as_u16(), again.text.as_str()), (304, ""));
+    assert_eq!(send(request("GET", "/", &[("if-none-match", "\"other\"")], Body::empty())).status, 200);
+}
+
+#[test]
+fn the_explorer_is_served_from_the_binary() {
+    let page = get("/docs");
+    assert_eq!(page.status, 200);
+    for name in page.text.split('"').filter(|part| part.ends_with(".js") || part.ends_with(".css")) {
+        let path = format!("/docs/{}", name.trim_start_matches("./"));
+        assert_eq!(get(&path).status, 200, "{path}");
+    }
+    let script = get("/docs/swagger-initializer.js").text;
+    assert!(script.contains("/openapi.json") && script.contains("none"), "{script}");
+}

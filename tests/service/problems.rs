@@ -1,0 +1,252 @@
+//! Bad requests: every failure is a problem document that says what to do.
+
+use axum::body::Body;
+use axum::routing::get as route_get;
+use serde_json::{Value, json};
+use terramechanics_server::{Limits, Service, layered};
+use tower::ServiceExt;
+
+use crate::asking::{Answer, get, letter, post, post_text, request, runtime, send, send_to, with};
+
+#[test]
+fn all_faults_are_named_at_once() {
+    let body = json!({
+        "wheel": {"preset": "leter", "radus_m": 1},
+        "soil": {"preset": "letter-sand", "cohesion_pa": -5, "pressure_sinkage": {"law": "bekker", "k_s": 3}},
+        "slip": 2, "sinkage_m": "deep", "methd": "explicit", "lambda_a": "exactly"
+    });
+    let answer = post("/v1/forces", &body);
+    let mut pointers = answer.pointers();
+    pointers.sort();
+    assert_eq!(
+        pointers,
+        [
+            "/lambda_a",
+            "/methd",
+            "/sinkage_m",
+            "/slip",
+            "/soil/cohesion_pa",
+            "/soil/pressure_sinkage/k_c",
+            "/soil/pressure_sinkage/k_phi",
+            "/soil/pressure_sinkage/k_s",
+            "/soil/pressure_sinkage/n0",
+            "/wheel/preset",
+            "/wheel/radus_m",
+        ]
+    );
+    for (pointer, hint) in [
+        ("/wheel/radus_m", "did you mean `radius_m`?"),
+        ("/wheel/preset", "did you mean `letter`?"),
+        ("/methd", "did you mean `method`?"),
+        ("/soil/cohesion_pa", "from 0 to 1e8, not -5"),
+        ("/sinkage_m", "must be a number, not a string"),
+    ] {
+        assert!(answer.fault(pointer).contains(hint), "{}", answer.fault(pointer));
+    }
+}
+
+#[test]
+fn what_is_missing_is_named() {
+    assert_eq!(post("/v1/forces", &json!({})).pointers(), ["/wheel", "/soil", "/sinkage_m", "/slip"]);
+    let empty = json!({"wheel": {}, "soil": {}, "slip": 0, "sinkage_m": 0.01});
+    let fields = ["/wheel/radius_m", "/wheel/width_m", "/soil/cohesion_pa", "/soil/friction_angle_rad", "/soil/shear_modulus_m"];
+    assert_eq!(post("/v1/forces", &empty).pointers(), [fields.as_slice(), &["/soil/pressure_sinkage"]].concat());
+    assert_eq!(post("/v1/forces", &with(&letter(), json!({"contact": {}}))).pointers(), ["/contact/rule"]);
+    let law = with(&letter(), json!({"soil": {"pressure_sinkage": null}}));
+    let law = with(&law, json!({"soil": {"pressure_sinkage": {"n0": 1}}}));
+    assert_eq!(post("/v1/forces", &law).pointers(), ["/soil/pressure_sinkage/law"]);
+}
+
+#[test]
+fn slip_and_sinkage_are_given_in_one_way() {
+    let faults = |changes: Value| post("/v1/forces", &with(&letter(), changes)).pointers();
+    assert_eq!(faults(json!({"normal_load_n": 80})), ["/sinkage_m", "/normal_load_n"]);
+    assert_eq!(faults(json!({"sinkage_m": null})), ["/sinkage_m"]);
+    assert_eq!(faults(json!({"forward_velocity_m_s": 1})), ["/slip"]);
+    assert_eq!(faults(json!({"slip": null, "forward_velocity_m_s": 1})), ["/angular_velocity_rad_s"]);
+    assert_eq!(faults(json!({"slip": null, "angular_velocity_rad_s": 1})), ["/forward_velocity_m_s"]);
+    assert_eq!(faults(json!({"slip": null})), ["/slip"]);
+}
+
+#[test]
+fn values_of_any_wrong_type_are_named() {
+    for (value, found) in
+        [(json!("a"), "a string"), (json!(true), "a boolean"), (json!([1]), "an array"), (json!({"a": 1}), "an object")]
+    {
+        assert!(post("/v1/forces", &with(&letter(), json!({"slip": value}))).fault("/slip").ends_with(found));
+    }
+    let null = post_text("/v1/forces", letter().to_string().replace("0.2,", "null,"));
+    assert!(null.problem(422).to_string().contains("not null"));
+    for (name, value) in [("wheel", json!(3)), ("soil", json!("letter-sand")), ("contact", json!([]))] {
+        assert!(
+            post("/v1/forces", &with(&with(&letter(), json!({name: null})), json!({name: value})))
+                .fault(&format!("/{name}"))
+                .contains("object")
+        );
+    }
+    for body in ["[]", "3", "\"text\"", "null", "true"] {
+        assert_eq!(post_text("/v1/forces", body).pointers(), [""], "{body}");
+    }
+}
+
+#[test]
+fn a_name_given_twice_is_a_fault() {
+    let body = letter().to_string().replace("\"slip\":0.2", "\"slip\":0.2,\"slip\":0.3");
+    assert_eq!(post_text("/v1/forces", body).pointers(), ["/slip"]);
+}
+
+#[test]
+fn unknown_names_are_escaped_cut_and_not_too_many() {
+    let answer = post("/v1/forces", &with(&letter(), json!({"a/b~c": 1})));
+    assert_eq!(answer.pointers(), ["/a~1b~0c"]);
+    let many: serde_json::Map<String, Value> = (0..1000).map(|i| (format!("name{i}"), json!(i))).collect();
+    let answer = post("/v1/forces", &with(&letter(), Value::Object(many)));
+    assert!(answer.pointers().len() <= 20);
+    let long = "x".repeat(100_000);
+    assert!(post("/v1/forces", &with(&letter(), json!({long: 1}))).text.len() < 2000);
+}
+
+#[test]
+fn broken_json_is_a_400_with_line_and_column() {
+    for (body, line) in
+        [("", 1), ("{", 1), ("{\n \"wheel\": {,}\n}", 2), ("{} x", 1), ("{\"slip\": NaN}", 1), ("{\"slip\": 1e999}", 1)]
+    {
+        let problem = post_text("/v1/forces", body).problem(400);
+        assert_eq!(problem["line"], line, "{problem}");
+        assert!(problem["column"].is_number());
+        assert!(problem["detail"].as_str().expect("a detail").contains("column"));
+    }
+    post_text("/v1/forces", "[".repeat(100_000)).problem(400);
+    post_text("/v1/forces", vec![b'{', 0xff, 0xfe]).problem(400);
+}
+
+#[test]
+fn other_content_types_are_a_415() {
+    for headers in [&[][..], &[("content-type", "text/plain")][..], &[("content-type", "application/x-www-form-urlencoded")][..]]
+    {
+        send(request("POST", "/v1/forces", headers, letter().to_string())).problem(415);
+    }
+    let declared = [("content-type", "application/json; charset=utf-8")];
+    send(request("POST", "/v1/forces", &declared, letter().to_string())).ok();
+}
+
+#[test]
+fn a_body_beyond_the_limit_is_a_413_declared_or_not() {
+    let service = || Service::new(Limits { body: 1000, ..Limits::default() });
+    let json = ("content-type", "application/json");
+    let long = " ".repeat(1001);
+    send_to(service(), request("POST", "/v1/forces", &[json, ("content-length", "1001")], long.clone())).problem(413);
+    send_to(service(), request("POST", "/v1/forces", &[json], long)).problem(413);
+    let padded = format!("{:<1000}", letter().to_string());
+    send_to(service(), request("POST", "/v1/forces", &[json], padded)).ok();
+}
+
+#[test]
+fn a_body_that_never_ends_is_a_408() {
+    let limits = Limits { body_deadline: std::time::Duration::from_millis(50), ..Limits::default() };
+    let never = Body::new(Never);
+    send_to(Service::new(limits), request("POST", "/v1/forces", &[("content-type", "application/json")], never)).problem(408);
+}
+
+/// A body whose bytes do not come.
+struct Never;
+
+impl hyper::body::Body for Never {
+    type Data = axum::body::Bytes;
+    type Error = std::convert::Infallible;
+
+    fn poll_frame(
+        self: std::pin::Pin<&mut Self>,
+        _: &mut std::task::Context<'_>,
+    ) -> std::task::Poll<Option<Result<hyper::body::Frame<Self::Data>, Self::Error>>> {
+        std::task::Poll::Pending
+    }
+}
+
+#[test]
+fn unknown_paths_and_methods_are_problems() {
+    for path in ["/nope", "/v1", "/v1/forces/", "/static/nope.js", "/docs/nope", "/v1/wheels/a/b", "/static/..%2fCargo.toml"] {
+        get(path).problem(404);
+    }
+    for (method, path, allow) in [("GET", "/v1/forces", "POST"), ("DELETE", "/v1/wheels", "GET,HEAD"), ("PUT", "/", "GET,HEAD")] {
+        let answer = send(request(method, path, &[], Body::empty()));
+        answer.problem(405);
+        assert_eq!(answer.header("allow"), allow);
+    }
+}
+
+#[test]
+fn a_panic_is_a_500_without_details_and_the_next_request_works() {
+    let service = Service::new(Limits::default());
+    async fn panics() -> &'static str {
+        panic!("secret cause")
+    }
+    let app =
+        layered(axum::Router::new().route("/panic", route_get(panics)).route("/fine", route_get(|| async { "fine" })), service);
+    let ask = |path: &'static str| {
+        let app = app.clone();
+        runtime().block_on(async move {
+            let response = app.oneshot(request("GET", path, &[], Body::empty())).await.expect("an answer");
+            let (parts, body) = response.into_parts();
+            let bytes = axum::body::to_bytes(body, usize::MAX).await.expect("a body");
+            Answer { status: parts.status, headers: parts.headers, text: String::from_utf8_lossy(&bytes).into_owned() }
+        })
+    };
+    let answer = ask("/panic");
+    answer.problem(500);
+    assert!(!answer.text.contains("secret"));
+    assert_eq!(ask("/fine").text, "fine");
+}
+
+#[test]
+fn a_clients_request_id_comes_back_if_it_is_harmless() {
+    let id =
+        |sent: &str| send(request("GET", "/healthz", &[("x-request-id", sent)], Body::empty())).header("x-request-id").to_owned();
+    assert_eq!(id("trace-7"), "trace-7");
+    assert_ne!(id("a b"), "a b");
+}
+
+#[test]
+fn whatever_is_sent_the_answer_is_no_500() {
+    // Every value of the example replaced by each of these, and taken away.
+    let odd = [
+        json!(null),
+        json!(0),
+        json!(-1),
+        json!(1e308),
+        json!(-1e308),
+        json!(5e-324),
+        json!(""),
+        json!([]),
+        json!({}),
+        json!(true),
+    ];
+    fn pointers(value: &Value, at: String, found: &mut Vec<String>) {
+        if let Value::Object(fields) = value {
+            for (name, value) in fields {
+                found.push(format!("{at}/{name}"));
+                pointers(value, format!("{at}/{name}"), found);
+            }
+        }
+    }
+    let base = with(
+        &letter(),
+        json!({"method": "explicit", "lambda_a": 0, "lambda_b": "exact", "peak_sinkage": "half", "normal_stress_radius": "rim",
+               "contact": {"rule": "wong_reece", "c1": 0.4, "c2": 0.1, "c3": 0}}),
+    );
+    let mut found = Vec::new();
+    pointers(&base, String::new(), &mut found);
+    assert!(found.len() > 20);
+    for pointer in found {
+        for value in &odd {
+            let mut body = base.clone();
+            *body.pointer_mut(&pointer).expect("a field") = value.clone();
+            let answer = post("/v1/forces", &body);
+            if answer.status.as_u16() != 200 {
+                answer.problem(422);
+            } else {
+                assert!(!answer.text.contains("null,\"normal_force_n\""));
+            }
+        }
+    }
+}
