@@ -18,7 +18,7 @@ use crate::{docs, observe, openapi, page};
 /// Limits of the service.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
-    /// Largest request body [bytes].
+    /// Largest request body (bytes).
     pub body: usize,
     /// Time in which a request body has to arrive.
     pub body_deadline: Duration,

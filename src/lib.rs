@@ -1,7 +1,7 @@
 //! The terramechanics service: HTTP/JSON over the model crate, its OpenAPI contract and its plotting page.
 //!
-//! The way of a request: bytes → [`extract`] → a request object of [`request`], which checks everything and reports every
-//! fault → the model → a reply of [`reply`] → bytes. Physics live in the crate `terramechanics`, HTTP here.
+//! The way of a request: bytes → `extract` → a request object of `request`, which checks everything and reports every
+//! fault → the model → a reply of `reply` → bytes. Physics live in the crate `terramechanics`, HTTP here.
 
 mod api;
 mod app;

@@ -16,7 +16,7 @@ use crate::app::Service;
 
 const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
-/// Longest request id taken over from a client [bytes].
+/// Longest request id taken over from a client (bytes).
 const LONGEST_ID: usize = 128;
 
 /// Wraps every request.

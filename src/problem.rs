@@ -33,7 +33,7 @@ pub(crate) enum Problem {
     SlowBody(Duration),
     /// The body is too large.
     TooLarge {
-        /// Largest body taken [bytes].
+        /// Largest body taken (bytes).
         limit: usize,
     },
     /// The body is not declared to be JSON.

@@ -31,7 +31,7 @@ pub struct Bounds {
 /// Pause after a failed accept: mostly there are no file descriptors left, and trying again at once would spin.
 const ACCEPT_PAUSE: Duration = Duration::from_millis(50);
 
-/// Largest head of a request [bytes].
+/// Largest head of a request (bytes).
 const HEAD_BYTES: usize = 64 << 10;
 
 /// Serves `app` on `listener` until `stop` is done, then ends gracefully.

@@ -20,29 +20,29 @@ pub(crate) fn method_name(method: &Method) -> &'static str {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Forces)]
 pub(crate) struct ForcesReply {
-    /// Slip ratio s [–].
+    /// Slip ratio s (–).
     slip: f64,
-    /// Sinkage z [m].
+    /// Sinkage z (m).
     sinkage_m: f64,
     /// The method by which the forces were found.
     method: &'static str,
     angles: AnglesReply,
-    /// Longitudinal force F_x, the drawbar pull [N].
+    /// Longitudinal force F_x, the drawbar pull (N).
     longitudinal_force_n: f64,
-    /// Normal force F_z [N].
+    /// Normal force F_z (N).
     normal_force_n: f64,
-    /// Torque T about the axle [N·m].
+    /// Torque T about the axle (N·m).
     torque_n_m: f64,
     components: ComponentsReply,
-    /// F_x/F_z [–]; null where F_z is not positive.
+    /// F_x/F_z (–); null where F_z is not positive.
     drawbar_coefficient: Option<f64>,
-    /// F_x v/(T ω) [–]; null unless the wheel drives.
+    /// F_x v/(T ω) (–); null unless the wheel drives.
     tractive_efficiency: Option<f64>,
-    /// Sinkage modulus K_s [Pa/m^N].
+    /// Sinkage modulus K_s (Pa/m^N).
     sinkage_modulus: f64,
-    /// Sinkage exponent N [–].
+    /// Sinkage exponent N (–).
     sinkage_exponent: f64,
-    /// Shearing radius r_s [m].
+    /// Shearing radius r_s (m).
     shearing_radius_m: f64,
     warnings: Vec<Warning>,
     /// The numbers once more, as the one row of a table.
@@ -54,13 +54,13 @@ pub(crate) struct ForcesReply {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Components)]
 struct ComponentsReply {
-    /// Shear stress along x [N].
+    /// Shear stress along x (N).
     traction_n: f64,
-    /// Normal stress against x [N].
+    /// Normal stress against x (N).
     resistance_n: f64,
-    /// Normal stress along z [N].
+    /// Normal stress along z (N).
     normal_support_n: f64,
-    /// Shear stress along z [N].
+    /// Shear stress along z (N).
     shear_support_n: f64,
 }
 

@@ -66,11 +66,11 @@ pub(crate) fn csv(columns: &[(&'static str, &[f64])]) -> String {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Angles)]
 pub(crate) struct AnglesReply {
-    /// Entry angle θ1 [rad].
+    /// Entry angle θ1 (rad).
     entry_rad: f64,
-    /// Angle of maximum stress θm [rad].
+    /// Angle of maximum stress θm (rad).
     maximum_stress_rad: f64,
-    /// Exit angle θ2 [rad].
+    /// Exit angle θ2 (rad).
     exit_rad: f64,
 }
 

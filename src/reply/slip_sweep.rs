@@ -24,37 +24,37 @@ pub(crate) struct SweepReply {
 /// Columns of one length; null where a point has no solution or a coefficient is undefined.
 #[derive(Debug, Serialize, ToSchema)]
 struct SweepColumns {
-    /// Slip ratio s [–].
+    /// Slip ratio s (–).
     #[schema(value_type = Vec<f64>)]
     slip: Column,
-    /// Sinkage z [m].
+    /// Sinkage z (m).
     #[schema(value_type = Vec<Option<f64>>)]
     sinkage_m: Column,
-    /// Longitudinal force F_x, the drawbar pull [N].
+    /// Longitudinal force F_x, the drawbar pull (N).
     #[schema(value_type = Vec<Option<f64>>)]
     longitudinal_force_n: Column,
-    /// Normal force F_z [N].
+    /// Normal force F_z (N).
     #[schema(value_type = Vec<Option<f64>>)]
     normal_force_n: Column,
-    /// Torque T about the axle [N·m].
+    /// Torque T about the axle (N·m).
     #[schema(value_type = Vec<Option<f64>>)]
     torque_n_m: Column,
-    /// Shear stress along x [N].
+    /// Shear stress along x (N).
     #[schema(value_type = Vec<Option<f64>>)]
     traction_n: Column,
-    /// Normal stress against x [N].
+    /// Normal stress against x (N).
     #[schema(value_type = Vec<Option<f64>>)]
     resistance_n: Column,
-    /// Normal stress along z [N].
+    /// Normal stress along z (N).
     #[schema(value_type = Vec<Option<f64>>)]
     normal_support_n: Column,
-    /// Shear stress along z [N].
+    /// Shear stress along z (N).
     #[schema(value_type = Vec<Option<f64>>)]
     shear_support_n: Column,
-    /// F_x/F_z [–].
+    /// F_x/F_z (–).
     #[schema(value_type = Vec<Option<f64>>)]
     drawbar_coefficient: Column,
-    /// F_x v/(T ω) [–], while the wheel drives.
+    /// F_x v/(T ω) (–), while the wheel drives.
     #[schema(value_type = Vec<Option<f64>>)]
     tractive_efficiency: Column,
 }

@@ -11,9 +11,9 @@ use crate::request::ProfileQuery;
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = StressProfile)]
 pub(crate) struct ProfileReply {
-    /// Slip ratio s [–].
+    /// Slip ratio s (–).
     slip: f64,
-    /// Sinkage z [m].
+    /// Sinkage z (m).
     sinkage_m: f64,
     angles: AnglesReply,
     peak: PeakReply,
@@ -25,31 +25,31 @@ pub(crate) struct ProfileReply {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Peak)]
 struct PeakReply {
-    /// Normal stress σ [Pa].
+    /// Normal stress σ (Pa).
     normal_stress_pa: f64,
-    /// Shear stress τ [Pa].
+    /// Shear stress τ (Pa).
     shear_stress_pa: f64,
 }
 
 /// Columns of one length, from exit to entry.
 #[derive(Debug, Serialize, ToSchema)]
 struct ProfileColumns {
-    /// θ [rad], ascending.
+    /// θ (rad), ascending.
     #[schema(value_type = Vec<f64>)]
     theta_rad: Column,
-    /// Depth that presses there [m].
+    /// Depth that presses there (m).
     #[schema(value_type = Vec<f64>)]
     sinkage_m: Column,
-    /// Normal stress σ [Pa].
+    /// Normal stress σ (Pa).
     #[schema(value_type = Vec<f64>)]
     normal_stress_pa: Column,
-    /// Shear stress τ [Pa].
+    /// Shear stress τ (Pa).
     #[schema(value_type = Vec<f64>)]
     shear_stress_pa: Column,
-    /// Linearised normal stress [Pa].
+    /// Linearised normal stress (Pa).
     #[schema(value_type = Vec<f64>)]
     normal_stress_linear_pa: Column,
-    /// Linearised shear stress [Pa].
+    /// Linearised shear stress (Pa).
     #[schema(value_type = Vec<f64>)]
     shear_stress_linear_pa: Column,
 }

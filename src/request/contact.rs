@@ -25,9 +25,9 @@ wire_object! {
     /// Where the stresses are largest and where the contact ends: θm by the rule, θ2 = c3 θ1.
     ContactDto as "Contact" with rule_schema {
         rule: String = Choice { doc: "midpoint: θm = (θ1 + θ2)/2; wong_reece: θm = (c1 + c2 s) θ1; half_sinkage: θm = arccos(1 − z/(2r)).", words: rule_names, default: None },
-        c1: f64 = Number::new("c1 of θm = (c1 + c2 s) θ1 [–].", -1.0, 2.0),
-        c2: f64 = Number::new("c2 of θm = (c1 + c2 s) θ1 [–].", -2.0, 2.0),
-        c3: f64 = Number::new("c3 of θ2 = c3 θ1 [–]; negative where the contact reaches behind the lowest point.", -1.0, 0.6).or(0.0),
+        c1: f64 = Number::new("c1 of θm = (c1 + c2 s) θ1 (–).", -1.0, 2.0),
+        c2: f64 = Number::new("c2 of θm = (c1 + c2 s) θ1 (–).", -2.0, 2.0),
+        c3: f64 = Number::new("c3 of θ2 = c3 θ1 (–); negative where the contact reaches behind the lowest point.", -1.0, 0.6).or(0.0),
     }
 }
 

@@ -13,15 +13,15 @@ pub(super) const SOIL: Nested<SoilDto> = Nested::required("The soil.");
 pub(super) const CONTACT: Nested<ContactDto> =
     Nested::optional("The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.");
 pub(super) const FORWARD_VELOCITY: Number =
-    Number::new("Forward velocity v of the axle [m/s]; with angular_velocity_rad_s instead of slip.", -1e3, 1e3);
+    Number::new("Forward velocity v of the axle (m/s); with angular_velocity_rad_s instead of slip.", -1e3, 1e3);
 pub(super) const ANGULAR_VELOCITY: Number =
-    Number::new("Angular velocity ω of the wheel [rad/s], positive when it rolls forward.", -1e4, 1e4);
+    Number::new("Angular velocity ω of the wheel (rad/s), positive when it rolls forward.", -1e4, 1e4);
 pub(super) const SLIP: Number =
     Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0);
-pub(super) const SINKAGE: Number = Number::new("Sinkage z [m], at most the wheel's radius.", 1e-9, 100.0);
+pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0);
 pub(super) const STATIC_SINKAGE: Number =
-    Number::new("Static sinkage z0 [m]; the sinkage follows from the slip, z = z0 (1 + s)/(1 − s/2).", 1e-9, 100.0);
-pub(super) const NORMAL_LOAD: Number = Number::new("Vertical load W [N]; the sinkage is solved so that F_z = W.", 1e-9, 1e12);
+    Number::new("Static sinkage z0 (m); the sinkage follows from the slip, z = z0 (1 + s)/(1 − s/2).", 1e-9, 100.0);
+pub(super) const NORMAL_LOAD: Number = Number::new("Vertical load W (N); the sinkage is solved so that F_z = W.", 1e-9, 1e12);
 pub(super) const METHOD: Choice = Choice {
     doc: "quadrature: the integral of the stresses; linearised: linear stresses, closed form; explicit: the letter's formulas.",
     words: || vec!["quadrature", "linearised", "explicit"],
@@ -38,9 +38,9 @@ pub(super) const PEAK_SINKAGE: Choice = Choice {
     default: None,
 };
 pub(super) const LAMBDA_A: LambdaSpec =
-    LambdaSpec { number: Number::new("λ_A of A ≈ (1 − λ_A) √(z/2r) [–].", -1.0, 1.0).or(0.0), word: EXACT };
+    LambdaSpec { number: Number::new("λ_A of A ≈ (1 − λ_A) √(z/2r) (–).", -1.0, 1.0).or(0.0), word: EXACT };
 pub(super) const LAMBDA_B: LambdaSpec =
-    LambdaSpec { number: Number::new("λ_B of B ≈ (1 + λ_B) z/(2r) [–].", -1.0, 1.0).or(0.0), word: EXACT };
+    LambdaSpec { number: Number::new("λ_B of B ≈ (1 + λ_B) z/(2r) (–).", -1.0, 1.0).or(0.0), word: EXACT };
 const EXACT: Choice = Choice { doc: "The value at which the approximation is exact.", words: || vec!["exact"], default: None };
 
 /// The fields of a request that make an operation; a request without a method is answered by the quadrature.

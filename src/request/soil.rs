@@ -13,9 +13,9 @@ wire_object! {
     /// A soil. Without `preset`, the other fields are required; with it, any field beside it overrides the catalogue's.
     SoilDto as "Soil" {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
-        cohesion_pa: f64 = Number::new("Cohesion c [Pa].", 0.0, 1e8),
-        friction_angle_rad: f64 = Number::new("Internal friction angle φ [rad].", 0.0, FRAC_PI_2).open_above(),
-        shear_modulus_m: f64 = Number::new("Shear deformation modulus K [m].", 1e-6, 10.0),
+        cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
+        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above(),
+        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m).", 1e-6, 10.0),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
     }
 }
@@ -83,14 +83,14 @@ wire_object! {
     /// A pressure–sinkage law σ = K_s z^N with N = n0 + n1 s.
     PressureSinkageDto as "PressureSinkage" with law_schema {
         law: String = Choice { doc: "Name of the law.", words: law_names, default: None },
-        k_c: f64 = Number::new("Cohesive modulus: Bekker's k_c [N/m^(n+1)], may be negative, or Reece's k_c' [–].", -1e9, 1e9),
-        k_phi: f64 = Number::new("Frictional modulus: Bekker's k_phi [N/m^(n+2)] or Reece's k_phi' [–].", -1e9, 1e12),
-        k_s: f64 = Number::new("Sinkage modulus K_s [Pa/m^N].", 1e-6, 1e15),
-        unit_weight_n_m3: f64 = Number::new("Unit weight γ [N/m³].", 0.0, 1e6),
-        k: f64 = Number::new("Coefficient k of Meirion-Griffith & Spenko [N/m^(n+m+2)].", 1e-6, 1e15),
-        m: f64 = Number::new("Exponent m of the wheel's diameter [–].", -10.0, 10.0),
-        n0: f64 = Number::new("Sinkage exponent without slip [–].", 1e-3, 10.0),
-        n1: f64 = Number::new("Gain of the exponent with slip [–].", -10.0, 10.0).or(0.0),
+        k_c: f64 = Number::new("Cohesive modulus: Bekker's k_c (N/m^(n+1)), may be negative, or Reece's k_c' (–).", -1e9, 1e9),
+        k_phi: f64 = Number::new("Frictional modulus: Bekker's k_phi (N/m^(n+2)) or Reece's k_phi' (–).", -1e9, 1e12),
+        k_s: f64 = Number::new("Sinkage modulus K_s (Pa/m^N).", 1e-6, 1e15),
+        unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³).", 0.0, 1e6),
+        k: f64 = Number::new("Coefficient k of Meirion-Griffith & Spenko (N/m^(n+m+2)).", 1e-6, 1e15),
+        m: f64 = Number::new("Exponent m of the wheel's diameter (–).", -10.0, 10.0),
+        n0: f64 = Number::new("Sinkage exponent without slip (–).", 1e-3, 10.0),
+        n1: f64 = Number::new("Gain of the exponent with slip (–).", -10.0, 10.0).or(0.0),
     }
 }
 

@@ -13,7 +13,7 @@ pub enum Caution {
     SlipGainExtrapolated,
     /// The slip–sinkage relation was fitted to driving wheels and is applied to a braking one.
     SlipSinkageExtrapolated,
-    /// The integrals by quadrature may be off by more than [`LARGEST_INTEGRATION_ERROR`].
+    /// The integrals by quadrature may be off by more than 1e-9 of the scale of the forces.
     IntegrationError {
         /// Estimate of the relative error.
         estimate: f64,

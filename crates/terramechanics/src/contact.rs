@@ -12,9 +12,9 @@ pub enum PeakRule {
     Midpoint,
     /// θm = (c1 + c2 s) θ1. Wong & Reece 1967.
     WongReece {
-        /// c1 [–].
+        /// c1 (–).
         c1: f64,
-        /// c2, the gain with slip [–].
+        /// c2, the gain with slip (–).
         c2: f64,
     },
     /// θm = arccos(1 − z/(2r)): half of the sinkage lies above the peak, which makes Eq. (8) exact.
@@ -26,7 +26,7 @@ pub enum PeakRule {
 pub struct ContactParams {
     /// Rule for the angle of maximum stress.
     pub rule: PeakRule,
-    /// c3 in θ2 = c3 θ1 [–], from −1 up to 1; negative where the soil rebounds behind the lowest point.
+    /// c3 in θ2 = c3 θ1 (–), from −1 up to 1; negative where the soil rebounds behind the lowest point.
     pub exit_ratio: f64,
 }
 
@@ -36,7 +36,7 @@ pub struct Contact {
     params: ContactParams,
 }
 
-/// The characteristic angles of a contact [rad], from straight down, positive towards the front.
+/// The characteristic angles of a contact (rad), from straight down, positive towards the front.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Angles {
     /// Entry angle θ1.

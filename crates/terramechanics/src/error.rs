@@ -142,21 +142,21 @@ pub enum Error {
     Invalid(Fault),
     /// The wheel moves against its own rotation (sliding back while driving): outside the model.
     OppositeRotation {
-        /// Forward velocity of the axle [m/s].
+        /// Forward velocity of the axle (m/s).
         forward_velocity: f64,
-        /// Angular velocity of the wheel [rad/s].
+        /// Angular velocity of the wheel (rad/s).
         angular_velocity: f64,
     },
     /// The sinkage is not in 0 < z ≤ r.
     SinkageOutsideWheel {
-        /// The sinkage [m].
+        /// The sinkage (m).
         sinkage: f64,
-        /// The wheel's radius [m].
+        /// The wheel's radius (m).
         radius: f64,
     },
     /// The pressure–sinkage law gives no resistance on this wheel (for Bekker's law: b ≤ −k_c/k_phi).
     ModulusNotPositive {
-        /// The sinkage modulus K_s [Pa/m^N].
+        /// The sinkage modulus K_s (Pa/m^N).
         modulus: f64,
     },
     /// N = n0 + n1 s is not positive.
@@ -166,31 +166,31 @@ pub enum Error {
     },
     /// The rule puts the peak of the stresses outside the contact.
     PeakOutsideContact {
-        /// Entry angle θ1 [rad].
+        /// Entry angle θ1 (rad).
         entry: f64,
-        /// Angle of maximum stress θm [rad].
+        /// Angle of maximum stress θm (rad).
         peak: f64,
-        /// Exit angle θ2 [rad].
+        /// Exit angle θ2 (rad).
         exit: f64,
     },
     /// The soil does not carry the load at any sinkage up to the wheel's radius.
     LoadBeyondCapacity {
-        /// The load asked for [N].
+        /// The load asked for (N).
         load: f64,
-        /// The largest load carried [N].
+        /// The largest load carried (N).
         largest: f64,
-        /// The sinkage at which that is carried [m].
+        /// The sinkage at which that is carried (m).
         sinkage: f64,
     },
     /// The load balance was not met within the budget of iterations.
     LoadNotBalanced {
-        /// The load asked for [N].
+        /// The load asked for (N).
         load: f64,
         /// Evaluations of the normal force that were spent.
         iterations: u32,
-        /// Normal force minus load at the best sinkage [N].
+        /// Normal force minus load at the best sinkage (N).
         residual: f64,
-        /// The best sinkage [m].
+        /// The best sinkage (m).
         sinkage: f64,
     },
     /// The numbers are so large or so small that a result overflows.

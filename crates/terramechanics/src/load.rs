@@ -28,9 +28,9 @@ const CAPACITY_SAMPLES: u32 = 64;
 /// A solved load balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CarriedLoad {
-    /// Sinkage z [m].
+    /// Sinkage z (m).
     pub sinkage: f64,
-    /// Normal force minus load that is left [N].
+    /// Normal force minus load that is left (N).
     pub residual: f64,
     /// Evaluations of the forces that were spent.
     pub iterations: u32,
@@ -39,7 +39,7 @@ pub struct CarriedLoad {
 }
 
 impl ForceModel {
-    /// The sinkage z in 0 < z ≤ r at which the normal force equals `load` [N], by the same method as the forces.
+    /// The sinkage z in 0 < z ≤ r at which the normal force equals `load` (N), by the same method as the forces.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a load not greater than 0; [`Error::LoadBeyondCapacity`] with the largest load the soil

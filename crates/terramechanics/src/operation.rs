@@ -10,11 +10,11 @@ use crate::stress::{Rolling, WheelOnSoil};
 /// How the sinkage is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sinkage {
-    /// Given [m].
+    /// Given (m).
     Given(f64),
-    /// From the static sinkage [m] and the slip, Eq. (18).
+    /// From the static sinkage (m) and the slip, Eq. (18).
     FromStatic(f64),
-    /// Such that the normal force carries this load [N].
+    /// Such that the normal force carries this load (N).
     CarryingLoad(f64),
 }
 
@@ -34,13 +34,13 @@ pub struct Operation {
 pub struct OperatingPoint {
     /// The slip.
     pub slip: Slip,
-    /// Sinkage z [m].
+    /// Sinkage z (m).
     pub sinkage: f64,
     /// Characteristic angles.
     pub angles: Angles,
-    /// Sinkage modulus K_s [Pa/m^N].
+    /// Sinkage modulus K_s (Pa/m^N).
     pub sinkage_modulus: f64,
-    /// Sinkage exponent N [–].
+    /// Sinkage exponent N (–).
     pub sinkage_exponent: f64,
     /// The forces on a wheel that moves forward.
     pub forces: Forces,
@@ -69,7 +69,7 @@ impl Operation {
         })
     }
 
-    /// The sinkage [m] of the wheel as it rolls, and the forces where finding it has found them too.
+    /// The sinkage (m) of the wheel as it rolls, and the forces where finding it has found them too.
     ///
     /// # Errors
     /// What [`ForceModel::solve_sinkage`] refuses.

@@ -7,17 +7,17 @@ use crate::stress::ContactPatch;
 /// Stresses at places from the exit to the entry, as columns of one length.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StressProfile {
-    /// θ [rad], ascending from θ2 to θ1; θm is one of them.
+    /// θ (rad), ascending from θ2 to θ1; θm is one of them.
     pub theta: Vec<f64>,
-    /// Depth that presses there [m].
+    /// Depth that presses there (m).
     pub depth: Vec<f64>,
-    /// σ [Pa].
+    /// σ (Pa).
     pub normal: Vec<f64>,
-    /// τ [Pa].
+    /// τ (Pa).
     pub shear: Vec<f64>,
-    /// Linearised σ [Pa]. Eqs. (7a), (7b).
+    /// Linearised σ (Pa). Eqs. (7a), (7b).
     pub normal_linear: Vec<f64>,
-    /// Linearised τ [Pa]. Eqs. (7c), (7d).
+    /// Linearised τ (Pa). Eqs. (7c), (7d).
     pub shear_linear: Vec<f64>,
 }
 

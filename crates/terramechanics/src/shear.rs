@@ -6,7 +6,7 @@
 /// Janosi–Hanamoto's law with its one parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct JanosiHanamoto {
-    /// 1/K [1/m], the reciprocal of the shear deformation modulus.
+    /// 1/K (1/m), the reciprocal of the shear deformation modulus.
     pub(crate) per_modulus: f64,
 }
 

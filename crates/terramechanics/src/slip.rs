@@ -68,9 +68,9 @@ pub enum Heading {
 /// Velocities of the axle and of the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Velocities {
-    /// Forward velocity v of the axle [m/s].
+    /// Forward velocity v of the axle (m/s).
     pub forward: f64,
-    /// Angular velocity ω of the wheel [rad/s], positive when it rolls forward.
+    /// Angular velocity ω of the wheel (rad/s), positive when it rolls forward.
     pub angular: f64,
 }
 

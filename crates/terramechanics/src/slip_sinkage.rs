@@ -4,7 +4,7 @@
 
 use crate::slip::Slip;
 
-/// Sinkage z = z0 (1 + s)/(1 − s/2) [m] from the static sinkage `static_sinkage` z0 [m]. Eq. (18), letter; Lyasko 2010.
+/// Sinkage z = z0 (1 + s)/(1 − s/2) (m) from the static sinkage `static_sinkage` z0 (m). Eq. (18), letter; Lyasko 2010.
 ///
 /// It grows from 0 at s = −1 over z0 at rest to 4 z0 at s = 1.
 ///

@@ -7,11 +7,11 @@ use crate::shear::JanosiHanamoto;
 /// Parameters of a soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoilParams {
-    /// Cohesion c [Pa], not negative.
+    /// Cohesion c (Pa), not negative.
     pub cohesion: f64,
-    /// Internal friction angle φ [rad], from 0 up to π/2.
+    /// Internal friction angle φ (rad), from 0 up to π/2.
     pub friction_angle: f64,
-    /// Shear deformation modulus K [m], greater than 0.
+    /// Shear deformation modulus K (m), greater than 0.
     pub shear_modulus: f64,
     /// Pressure–sinkage law.
     pub pressure_sinkage: PressureSinkage,
@@ -45,13 +45,13 @@ impl Soil {
         Ok(Self { params, tan_friction: params.friction_angle.tan() })
     }
 
-    /// Cohesion c [Pa].
+    /// Cohesion c (Pa).
     #[must_use]
     pub fn cohesion(&self) -> f64 {
         self.params.cohesion
     }
 
-    /// tan φ [–].
+    /// tan φ (–).
     #[must_use]
     pub fn tan_friction(&self) -> f64 {
         self.tan_friction

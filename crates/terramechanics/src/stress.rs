@@ -70,19 +70,19 @@ impl WheelOnSoil {
 }
 
 impl Rolling {
-    /// Sinkage modulus K_s [Pa/m^N].
+    /// Sinkage modulus K_s (Pa/m^N).
     #[must_use]
     pub fn sinkage_modulus(&self) -> f64 {
         self.modulus
     }
 
-    /// Sinkage exponent N [–].
+    /// Sinkage exponent N (–).
     #[must_use]
     pub fn sinkage_exponent(&self) -> f64 {
         self.exponent
     }
 
-    /// The contact at `sinkage` z [m].
+    /// The contact at `sinkage` z (m).
     ///
     /// # Errors
     /// [`Error::SinkageOutsideWheel`] unless 0 < z ≤ r, [`Error::PeakOutsideContact`].
@@ -101,13 +101,13 @@ impl Rolling {
         })
     }
 
-    /// σ [Pa] at `depth` [m]. Eq. (1).
+    /// σ (Pa) at `depth` (m). Eq. (1).
     #[inline]
     pub(crate) fn pressure(&self, depth: f64) -> f64 {
         self.modulus * depth.powf(self.exponent)
     }
 
-    /// Shear strength c + σ tan φ [Pa]. Eq. (5).
+    /// Shear strength c + σ tan φ (Pa). Eq. (5).
     #[inline]
     pub(crate) fn shear_strength(&self, normal_stress: f64) -> f64 {
         self.system.soil.cohesion() + normal_stress * self.system.soil.tan_friction()
@@ -119,7 +119,7 @@ impl Rolling {
 pub struct ContactPatch<'a> {
     /// The wheel at its slip.
     pub rolling: &'a Rolling,
-    /// Sinkage z [m].
+    /// Sinkage z (m).
     pub sinkage: f64,
     /// Characteristic angles.
     pub angles: Angles,
@@ -146,14 +146,14 @@ pub(crate) struct RimPoint {
 /// Stresses at one place of the rim.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stresses {
-    /// Normal stress σ [Pa].
+    /// Normal stress σ (Pa).
     pub normal: f64,
-    /// Shear stress τ [Pa], positive where the soil pushes the wheel forward.
+    /// Shear stress τ (Pa), positive where the soil pushes the wheel forward.
     pub shear: f64,
 }
 
 impl ContactPatch<'_> {
-    /// Depth that presses on the rim at `theta` [rad] in [θ2, θ1], in [m]: the geometric one ahead of the peak, its mirror
+    /// Depth that presses on the rim at `theta` (rad) in [θ2, θ1], in (m): the geometric one ahead of the peak, its mirror
     /// image behind. Eqs. (3), (4).
     #[must_use]
     pub fn depth(&self, theta: f64) -> f64 {
@@ -166,7 +166,7 @@ impl ContactPatch<'_> {
         self.geometric_depth(&self.rim_point(arc))
     }
 
-    /// The place at an arc δ = θ1 − θ [rad] behind the entry.
+    /// The place at an arc δ = θ1 − θ (rad) behind the entry.
     ///
     /// All functions follow from those of the half arc x and of the entry: a = θ1 − x, θ = a − x.
     #[inline]
@@ -186,13 +186,13 @@ impl ContactPatch<'_> {
         }
     }
 
-    /// Depth r (cos θ − cos θ1) = 2 r sin a sin x [m] of a place of the rim. Eq. (3).
+    /// Depth r (cos θ − cos θ1) = 2 r sin a sin x (m) of a place of the rim. Eq. (3).
     #[inline]
     pub(crate) fn geometric_depth(&self, point: &RimPoint) -> f64 {
         2.0 * self.rolling.system.wheel.radius() * point.sin_middle * point.sin_half_arc
     }
 
-    /// Shear displacement j [m] of a turning wheel. Eq. (6).
+    /// Shear displacement j (m) of a turning wheel. Eq. (6).
     ///
     /// j = r [(1 − κ) δ + κ (δ − sin θ1 + sin θ)], and δ − sin θ1 + sin θ = 2 (x − sin x) + 2 sin x (1 − cos a): neither
     /// bracket cancels.
@@ -204,13 +204,13 @@ impl ContactPatch<'_> {
                 + velocity_ratio * (point.excess + point.sin_half_arc * point.one_minus_cos_middle))
     }
 
-    /// E [–] at a place of the rim: −1 all along the contact of a locked wheel.
+    /// E (–) at a place of the rim: −1 all along the contact of a locked wheel.
     #[inline]
     pub(crate) fn mobilisation(&self, point: &RimPoint) -> f64 {
         if self.rolling.slip.is_locked() { -1.0 } else { self.rolling.system.soil.shear().mobilisation(self.displacement(point)) }
     }
 
-    /// Shear displacement j [m] at `theta` [rad]: 0 at the entry, not negative on a driving wheel, infinite on a locked one
+    /// Shear displacement j (m) at `theta` (rad): 0 at the entry, not negative on a driving wheel, infinite on a locked one
     /// (no finite displacement describes a wheel that does not turn). Eq. (6).
     #[must_use]
     pub fn shear_displacement(&self, theta: f64) -> f64 {
@@ -221,19 +221,19 @@ impl ContactPatch<'_> {
         }
     }
 
-    /// Normal stress σ [Pa] at `theta` [rad]; 0 outside the contact. Eq. (1).
+    /// Normal stress σ (Pa) at `theta` (rad); 0 outside the contact. Eq. (1).
     #[must_use]
     pub fn normal_stress(&self, theta: f64) -> f64 {
         self.stresses(theta).normal
     }
 
-    /// Shear stress τ [Pa] at `theta` [rad]; 0 outside the contact. Eq. (5).
+    /// Shear stress τ (Pa) at `theta` (rad); 0 outside the contact. Eq. (5).
     #[must_use]
     pub fn shear_stress(&self, theta: f64) -> f64 {
         self.stresses(theta).shear
     }
 
-    /// Both stresses at `theta` [rad]; 0 outside the contact.
+    /// Both stresses at `theta` (rad); 0 outside the contact.
     #[must_use]
     pub fn stresses(&self, theta: f64) -> Stresses {
         let Angles { entry, exit, .. } = self.angles;
@@ -243,14 +243,14 @@ impl ContactPatch<'_> {
         self.stresses_under(&self.rim_point(entry - theta), self.depth(theta))
     }
 
-    /// Stresses at a place of the rim if the depth that presses there were `depth` [m]. Eqs. (1), (5).
+    /// Stresses at a place of the rim if the depth that presses there were `depth` (m). Eqs. (1), (5).
     #[inline]
     pub(crate) fn stresses_under(&self, point: &RimPoint, depth: f64) -> Stresses {
         let normal = self.rolling.pressure(depth);
         Stresses { normal, shear: self.mobilisation(point) * self.rolling.shear_strength(normal) }
     }
 
-    /// Arc [rad] behind the entry over which E changes e-fold: K/(dj/dδ) at the entry. Infinite on a locked wheel, whose E is
+    /// Arc (rad) behind the entry over which E changes e-fold: K/(dj/dδ) at the entry. Infinite on a locked wheel, whose E is
     /// constant.
     pub(crate) fn shear_layer(&self) -> f64 {
         let Rolling { velocity_ratio, system, slip, .. } = self.rolling;
@@ -258,7 +258,7 @@ impl ContactPatch<'_> {
         if slip.is_locked() { f64::INFINITY } else { 1.0 / (growth * system.soil.shear().per_modulus) }
     }
 
-    /// Arcs δ = θ1 − θ [rad] behind the entry, ascending, at which j changes sign: only on a braking wheel, at most two,
+    /// Arcs δ = θ1 − θ (rad) behind the entry, ascending, at which j changes sign: only on a braking wheel, at most two,
     /// the second only behind the lowest point.
     ///
     /// With g(θ) = κ sin θ − θ, which is odd, j = r (g(θ) − g(θ1)); g rises between −θ* and θ* = arccos(1/κ) and falls
@@ -293,7 +293,7 @@ impl ContactPatch<'_> {
     }
 }
 
-/// Up to two arcs [rad] at which the shear displacement changes sign.
+/// Up to two arcs (rad) at which the shear displacement changes sign.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ShearReversals {
     arcs: [f64; 2],

@@ -18,29 +18,29 @@ pub struct Gap {
 /// A row listed in `gaps` is NaN in every column but `slip`; a coefficient that is undefined at a slip is NaN there.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SlipSweep {
-    /// Slip s [–].
+    /// Slip s (–).
     pub slip: Vec<f64>,
-    /// Sinkage z [m].
+    /// Sinkage z (m).
     pub sinkage: Vec<f64>,
-    /// Longitudinal force F_x [N].
+    /// Longitudinal force F_x (N).
     pub longitudinal: Vec<f64>,
-    /// Normal force F_z [N].
+    /// Normal force F_z (N).
     pub normal: Vec<f64>,
-    /// Torque T [N·m].
+    /// Torque T (N·m).
     pub torque: Vec<f64>,
-    /// Traction AY [N].
+    /// Traction AY (N).
     pub traction: Vec<f64>,
-    /// Resistance BX [N].
+    /// Resistance BX (N).
     pub resistance: Vec<f64>,
-    /// Normal support AX [N].
+    /// Normal support AX (N).
     pub normal_support: Vec<f64>,
-    /// Shear support BY [N].
+    /// Shear support BY (N).
     pub shear_support: Vec<f64>,
-    /// Drawbar coefficient F_x/F_z [–].
+    /// Drawbar coefficient F_x/F_z (–).
     pub drawbar_coefficient: Vec<f64>,
-    /// Tractive efficiency [–].
+    /// Tractive efficiency (–).
     pub tractive_efficiency: Vec<f64>,
-    /// Estimate of the relative error of the integrals [–].
+    /// Estimate of the relative error of the integrals (–).
     pub integration_error: Vec<f64>,
     /// Rows without an answer, ascending.
     pub gaps: Vec<Gap>,

@@ -5,11 +5,11 @@ use crate::error::{InvalidInput, Parameter, Requirement};
 /// Dimensions of a rigid wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WheelParams {
-    /// Rim radius r [m], greater than 0.
+    /// Rim radius r (m), greater than 0.
     pub radius: f64,
-    /// Width b [m], greater than 0.
+    /// Width b (m), greater than 0.
     pub width: f64,
-    /// Lug height h [m], 0 for a smooth wheel.
+    /// Lug height h (m), 0 for a smooth wheel.
     pub lug_height: f64,
     /// Lug coefficient λ_s, from 0 to 1: the share of the lug height at which the shear stress acts.
     pub lug_coefficient: f64,
@@ -39,19 +39,19 @@ impl Wheel {
         Ok(Self { params })
     }
 
-    /// Rim radius r [m].
+    /// Rim radius r (m).
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.params.radius
     }
 
-    /// Width b [m].
+    /// Width b (m).
     #[must_use]
     pub fn width(&self) -> f64 {
         self.params.width
     }
 
-    /// Radius at which the shear stress acts, r_s = r + λ_s h [m]. Eq. (9).
+    /// Radius at which the shear stress acts, r_s = r + λ_s h (m). Eq. (9).
     ///
     /// ```
     /// # use terramechanics::{Wheel, WheelParams};

@@ -91,7 +91,7 @@ impl ForceModel {
         Self { method, normal_stress_radius: NormalStressRadius::Rim }
     }
 
-    /// Radius r_n [m] at which the normal stress acts on `wheel`.
+    /// Radius r_n (m) at which the normal stress acts on `wheel`.
     #[must_use]
     pub fn normal_stress_radius(&self, wheel: &Wheel) -> f64 {
         match self.normal_stress_radius {
@@ -152,24 +152,24 @@ impl ForceModel {
 /// The four parts of the forces, which the letter explains below Eq. (12).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Components {
-    /// Traction AY: the shear stress along x [N].
+    /// Traction AY: the shear stress along x (N).
     pub traction: f64,
-    /// Resistance BX: the normal stress against x [N].
+    /// Resistance BX: the normal stress against x (N).
     pub resistance: f64,
-    /// Normal support AX: the normal stress along z [N].
+    /// Normal support AX: the normal stress along z (N).
     pub normal_support: f64,
-    /// Shear support BY: the shear stress along z [N].
+    /// Shear support BY: the shear stress along z (N).
     pub shear_support: f64,
 }
 
 /// Forces and torque on a wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forces {
-    /// Longitudinal force F_x, the drawbar pull [N].
+    /// Longitudinal force F_x, the drawbar pull (N).
     pub longitudinal: f64,
-    /// Normal force F_z [N].
+    /// Normal force F_z (N).
     pub normal: f64,
-    /// Torque T about the axle that the wheel has to be given [N·m].
+    /// Torque T about the axle that the wheel has to be given (N·m).
     pub torque: f64,
     /// The four parts.
     pub components: Components,
@@ -196,13 +196,13 @@ impl Forces {
         all.iter().all(|value| value.is_finite())
     }
 
-    /// Scale on which the longitudinal force is accurate, |traction| + |resistance| [N]: it is their difference.
+    /// Scale on which the longitudinal force is accurate, |traction| + |resistance| (N): it is their difference.
     #[must_use]
     pub fn longitudinal_scale(&self) -> f64 {
         self.components.traction.abs() + self.components.resistance.abs()
     }
 
-    /// Scale on which the normal force is accurate, |normal support| + |shear support| [N].
+    /// Scale on which the normal force is accurate, |normal support| + |shear support| (N).
     #[must_use]
     pub fn normal_scale(&self) -> f64 {
         self.components.normal_support.abs() + self.components.shear_support.abs()
@@ -226,14 +226,14 @@ impl Forces {
         }
     }
 
-    /// Drawbar coefficient F_x/F_z [–]; none where F_z is not positive.
+    /// Drawbar coefficient F_x/F_z (–); none where F_z is not positive.
     #[must_use]
     pub fn drawbar_coefficient(&self) -> Option<f64> {
         let ratio = self.longitudinal / self.normal;
         (self.normal > 0.0 && ratio.is_finite()).then_some(ratio)
     }
 
-    /// Tractive efficiency F_x v/(T ω) = F_x r (1 − s)/T [–]; defined only while the wheel drives: s ≥ 0 and a torque in the
+    /// Tractive efficiency F_x v/(T ω) = F_x r (1 − s)/T (–); defined only while the wheel drives: s ≥ 0 and a torque in the
     /// sense of the motion.
     #[must_use]
     pub fn tractive_efficiency(&self, wheel: &Wheel, slip: Slip, heading: Heading) -> Option<f64> {

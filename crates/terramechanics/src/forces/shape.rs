@@ -6,11 +6,11 @@ use crate::numerics::circular::ArcMeans;
 /// Integrals of the triangle that rises from 0 at θ2 to 1 at θm and falls to 0 at θ1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShapeIntegrals {
-    /// A, the integral with cos θ [–]. Eq. (12a).
+    /// A, the integral with cos θ (–). Eq. (12a).
     pub a: f64,
-    /// B, the integral with sin θ [–]. Eq. (12b).
+    /// B, the integral with sin θ (–). Eq. (12b).
     pub b: f64,
-    /// H, the area (θ1 − θ2)/2 [–]. Eq. (12c).
+    /// H, the area (θ1 − θ2)/2 (–). Eq. (12c).
     pub h: f64,
 }
 

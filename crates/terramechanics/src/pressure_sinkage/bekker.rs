@@ -5,9 +5,9 @@ use super::{PlateConditions, SinkageExponent};
 /// Bekker's law: K_s = k_c/b + k_phi.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bekker {
-    /// Cohesive modulus k_c [N/m^(n+1)]; may be negative where a fit gave that, as long as K_s stays positive.
+    /// Cohesive modulus k_c (N/m^(n+1)); may be negative where a fit gave that, as long as K_s stays positive.
     pub k_c: f64,
-    /// Frictional modulus k_phi [N/m^(n+2)].
+    /// Frictional modulus k_phi (N/m^(n+2)).
     pub k_phi: f64,
     /// Sinkage exponent.
     pub exponent: SinkageExponent,

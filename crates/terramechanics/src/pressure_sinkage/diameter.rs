@@ -5,9 +5,9 @@ use super::{PlateConditions, SinkageExponent};
 /// The law with the wheel's diameter: K_s = k (2r)^m. Meant for wheels below about 0.5 m in diameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diameter {
-    /// Coefficient k [N/m^(n+m+2)].
+    /// Coefficient k (N/m^(n+m+2)).
     pub k: f64,
-    /// Exponent m of the diameter [–].
+    /// Exponent m of the diameter (–).
     pub m: f64,
     /// Sinkage exponent.
     pub exponent: SinkageExponent,

@@ -5,7 +5,7 @@ use super::SinkageExponent;
 /// A sinkage modulus given directly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Direct {
-    /// Sinkage modulus K_s [Pa/m^N].
+    /// Sinkage modulus K_s (Pa/m^N).
     pub k_s: f64,
     /// Sinkage exponent.
     pub exponent: SinkageExponent,

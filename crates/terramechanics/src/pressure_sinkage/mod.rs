@@ -16,14 +16,14 @@ use crate::slip::Slip;
 /// N = n0 + n1 s: the exponent of the sinkage, which grows with slip (letter, below Eq. 1; Ding et al. 2010).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SinkageExponent {
-    /// n0, the exponent without slip [–].
+    /// n0, the exponent without slip (–).
     pub base: f64,
-    /// n1, its gain with slip [–]; 0 where none was measured.
+    /// n1, its gain with slip (–); 0 where none was measured.
     pub slip_gain: f64,
 }
 
 impl SinkageExponent {
-    /// N at `slip` [–]. Fitted to driving wheels; at s < 0 applied as written.
+    /// N at `slip` (–). Fitted to driving wheels; at s < 0 applied as written.
     #[must_use]
     pub fn at(&self, slip: Slip) -> f64 {
         self.base + self.slip_gain * slip.ratio()
@@ -32,13 +32,13 @@ impl SinkageExponent {
 
 /// What a law may depend on besides its own parameters.
 pub(crate) struct PlateConditions {
-    /// Width b of the wheel [m].
+    /// Width b of the wheel (m).
     pub(crate) width: f64,
-    /// Diameter 2r of the wheel [m].
+    /// Diameter 2r of the wheel (m).
     pub(crate) diameter: f64,
-    /// Cohesion c of the soil [Pa].
+    /// Cohesion c of the soil (Pa).
     pub(crate) cohesion: f64,
-    /// Sinkage exponent N at the slip in question [–].
+    /// Sinkage exponent N at the slip in question (–).
     pub(crate) exponent: f64,
 }
 
@@ -67,7 +67,7 @@ impl PressureSinkage {
         }
     }
 
-    /// Sinkage modulus K_s [Pa/m^N].
+    /// Sinkage modulus K_s (Pa/m^N).
     pub(crate) fn sinkage_modulus(&self, conditions: &PlateConditions) -> f64 {
         match self {
             Self::Bekker(law) => law.sinkage_modulus(conditions),

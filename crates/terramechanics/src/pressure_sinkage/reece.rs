@@ -5,11 +5,11 @@ use super::{PlateConditions, SinkageExponent};
 /// Reece's law: K_s = (c k_c' + γ b k_phi')/b^N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reece {
-    /// Cohesive modulus k_c' [–].
+    /// Cohesive modulus k_c' (–).
     pub k_c: f64,
-    /// Frictional modulus k_phi' [–].
+    /// Frictional modulus k_phi' (–).
     pub k_phi: f64,
-    /// Unit weight γ [N/m³], not negative.
+    /// Unit weight γ (N/m³), not negative.
     pub unit_weight: f64,
     /// Sinkage exponent.
     pub exponent: SinkageExponent,
