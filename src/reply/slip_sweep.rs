@@ -98,11 +98,10 @@ fn gap_warnings(sweep: &SlipSweep, pointer: impl Fn(&Error) -> &'static str) -> 
     let warning = |(field, gaps): (&&'static str, &Vec<usize>)| {
         let rows: Vec<usize> = gaps.iter().map(|&i| sweep.gaps[i].row).collect();
         let first = &sweep.gaps[gaps[0]];
-        let slip = sweep.slip[first.row];
         let detail = format!(
-            "no solution at indices {}; at index {} (slip {slip}), field {field}: {}",
+            "no solution at indices {}; at slip {:.4}, field {field}: {}",
             rows_in_words(&rows),
-            first.row,
+            sweep.slip[first.row],
             first.error
         );
         Warning { code: "no_solution", detail }

@@ -197,35 +197,63 @@ pub enum Error {
     NotFinite,
 }
 
+/// A number in six digits: what a person reads; the value itself is in the error.
+struct Digits(f64);
+
+impl fmt::Display for Digits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        if size != 0.0 && !(1e-4..1e7).contains(&size) {
+            return write!(f, "{:.5e}", self.0);
+        }
+        // As many decimals as six digits leave, without zeros at the end.
+        let decimals = if size == 0.0 { 0 } else { (5.0 - size.log10().floor()).max(0.0) as usize };
+        let text = format!("{:.decimals$}", self.0);
+        f.write_str(if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text })
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Invalid(fault) => fault.fmt(f),
             Self::OppositeRotation { forward_velocity, angular_velocity } => write!(
                 f,
-                "forward velocity {forward_velocity} m/s and angular velocity {angular_velocity} rad/s have opposite signs: \
-                 a wheel that slides against its rotation lies outside the model"
+                "forward velocity {} m/s and angular velocity {} rad/s have opposite signs: a wheel that slides against its \
+                 rotation lies outside the model",
+                Digits(forward_velocity),
+                Digits(angular_velocity)
             ),
             Self::SinkageOutsideWheel { sinkage, radius } => {
+                let (sinkage, radius) = (Digits(sinkage), Digits(radius));
                 write!(f, "the sinkage {sinkage} m must be greater than 0 and at most the wheel's radius {radius} m")
             }
             Self::ModulusNotPositive { modulus } => {
-                write!(f, "the sinkage modulus is {modulus} Pa/m^N on this wheel, it must be greater than 0")
+                write!(f, "the sinkage modulus is {} Pa/m^N on this wheel, it must be greater than 0", Digits(modulus))
             }
             Self::ExponentNotPositive { exponent } => {
-                write!(f, "the sinkage exponent n0 + n1 s is {exponent}, it must be greater than 0")
+                write!(f, "the sinkage exponent n0 + n1 s is {}, it must be greater than 0", Digits(exponent))
             }
             Self::PeakOutsideContact { entry, peak, exit } => write!(
                 f,
-                "the angle of maximum stress {peak} rad must lie strictly between the exit angle {exit} rad and the entry angle {entry} rad"
+                "the angle of maximum stress {} rad must lie strictly between the exit angle {} rad and the entry angle {} rad",
+                Digits(peak),
+                Digits(exit),
+                Digits(entry)
             ),
             Self::LoadBeyondCapacity { load, largest, sinkage } => write!(
                 f,
-                "the soil does not carry {load} N: the largest load it carries is {largest} N, at a sinkage of {sinkage} m"
+                "the soil does not carry {} N: the largest load it carries is {} N, at a sinkage of {} m",
+                Digits(load),
+                Digits(largest),
+                Digits(sinkage)
             ),
             Self::LoadNotBalanced { load, iterations, residual, sinkage } => write!(
                 f,
-                "no sinkage was found that carries {load} N: after {iterations} evaluations the best is {sinkage} m, off by {residual} N"
+                "no sinkage was found that carries {} N: after {iterations} evaluations the best is {} m, off by {} N",
+                Digits(load),
+                Digits(sinkage),
+                Digits(residual)
             ),
             Self::NotFinite => write!(f, "the result overflows: the inputs are too large or too small together"),
         }
@@ -233,3 +261,23 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_in_six_digits() {
+        for (value, text) in [
+            (0.190_625_000_000_000_02, "0.190625"),
+            (-1234.5678, "-1234.57"),
+            (0.2, "0.2"),
+            (1_000_000.0, "1000000"),
+            (0.0, "0"),
+            (1e-9, "1.00000e-9"),
+            (2.5e12, "2.50000e12"),
+        ] {
+            assert_eq!(Digits(value).to_string(), text);
+        }
+    }
+}
