@@ -7,6 +7,7 @@ mod documents;
 mod forces;
 mod page;
 mod problems;
+mod readme;
 mod server;
 mod slip_sweep;
 mod stress_profile;

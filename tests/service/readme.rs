@@ -1,0 +1,63 @@
+//! What the README shows is what the service answers.
+
+use serde_json::Value;
+
+use crate::asking::{post, post_for_csv};
+
+const README: &str = include_str!("../../README.md");
+
+/// The contents of the README's code blocks in a language.
+fn blocks(language: &str) -> Vec<&'static str> {
+    let opening = format!("```{language}\n");
+    README.split(opening.as_str()).skip(1).map(|rest| rest.split("```").next().expect("a block ends")).collect()
+}
+
+/// The body and the path of a curl command.
+fn command(block: &str) -> (String, Value) {
+    let path = block.split("127.0.0.1:8080").nth(1).and_then(|rest| rest.split(' ').next()).expect("a path");
+    let body = block.split("-d '").nth(1).and_then(|rest| rest.split('\'').next()).expect("a body");
+    (path.to_owned(), serde_json::from_str(body).expect("JSON"))
+}
+
+#[test]
+fn the_first_request_has_the_answer_shown() {
+    let (path, body) = command(blocks("sh")[0]);
+    let shown: Value = serde_json::from_str(blocks("json")[0]).expect("JSON");
+    let answer = post(&path, &body).ok();
+    let close = |a: &Value, b: &Value| (a.as_f64().expect("a number") - b.as_f64().expect("a number")).abs() < 1e-9;
+    for name in ["longitudinal_force_n", "normal_force_n", "torque_n_m", "drawbar_coefficient", "tractive_efficiency"] {
+        assert!(close(&shown[name], &answer[name]), "{name}");
+    }
+    let names = |value: &Value| value.as_object().expect("an object").keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&shown), names(&answer));
+}
+
+#[test]
+fn the_explicit_figures_are_those_quoted() {
+    let (path, mut body) = command(blocks("sh")[0]);
+    body["method"] = "explicit".into();
+    let answer = post(&path, &body).ok();
+    let rounded = |name: &str, digits: usize| format!("{:.digits$}", answer[name].as_f64().expect("a number"));
+    let quoted = [rounded("longitudinal_force_n", 1), rounded("normal_force_n", 1), rounded("torque_n_m", 2)];
+    assert_eq!(quoted, ["12.1", "55.8", "4.72"]);
+    assert!(README.contains("12.1 N, 55.8 N and 4.72 N·m"));
+}
+
+#[test]
+fn the_sweep_is_a_table_of_101_rows() {
+    let (path, body) = command(blocks("sh")[1]);
+    assert_eq!(post_for_csv(&path, &body).text.lines().count(), 102);
+}
+
+#[test]
+fn the_problem_shown_is_what_is_said() {
+    let shown: Value = serde_json::from_str(blocks("json")[1]).expect("JSON");
+    let (path, mut body) = command(blocks("sh")[0]);
+    body["wheel"]["radus_m"] = 1.into();
+    assert_eq!(post(&path, &body).problem(422)["errors"][0], shown);
+}
+
+#[test]
+fn both_commands_are_named() {
+    assert!(README.contains("cargo run --release") && README.contains("cargo test --workspace"));
+}
