@@ -29,6 +29,11 @@ impl Cost {
         Self(points as f64 * (evaluation * evaluations + 500.0))
     }
 
+    /// Of reading a request body of `bytes`.
+    pub(crate) fn of_body(bytes: usize) -> Self {
+        Self(bytes as f64 * 8.0)
+    }
+
     /// Of a profile with `points` places at one operating point.
     pub(crate) fn of_profile(operation: &Operation, points: usize) -> Self {
         let solved = if matches!(operation.sinkage, Sinkage::CarryingLoad(_)) { Self::of_points(operation, 1).0 } else { 0.0 };
@@ -110,7 +115,12 @@ pub(crate) fn json<T: serde::Serialize>(value: &T) -> Result<Response, Problem> 
         tracing::error!(%error, "a reply could not be written");
         Problem::Internal
     })?;
-    Ok(([(CONTENT_TYPE, HeaderValue::from_static("application/json"))], text).into_response())
+    Ok(json_text(text))
+}
+
+/// A text that is JSON.
+pub(crate) fn json_text(text: impl IntoResponse) -> Response {
+    ([(CONTENT_TYPE, HeaderValue::from_static("application/json"))], text).into_response()
 }
 
 #[cfg(test)]

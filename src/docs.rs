@@ -1,8 +1,10 @@
 //! The explorer of the API: Swagger UI with its own files, so that it works without internet.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use axum::Router;
+use axum::body::Bytes;
 use axum::extract::Path;
 use axum::http::header::{CONTENT_SECURITY_POLICY, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
@@ -33,11 +35,13 @@ fn file(name: &str, config: &Arc<Config<'static>>) -> Result<Response, Problem> 
         Problem::Internal
     })?;
     let file = found.ok_or_else(|| Problem::NotFound(format!("no such file: {name}")))?;
-    // Its page names its files relative to /docs/, but is served at /docs.
-    let bytes = if name == "index.html" {
-        String::from_utf8_lossy(&file.bytes).replacen("<head>", "<head><base href=\"/docs/\">", 1).into_bytes()
-    } else {
-        file.bytes.to_vec()
+    let bytes = match file.bytes {
+        // Its page names its files relative to /docs/, but is served at /docs.
+        bytes if name == "index.html" => {
+            String::from_utf8_lossy(&bytes).replacen("<head>", "<head><base href=\"/docs/\">", 1).into()
+        }
+        Cow::Borrowed(bytes) => Bytes::from_static(bytes),
+        Cow::Owned(bytes) => bytes.into(),
     };
     Ok(([(CONTENT_TYPE, file.content_type.as_str()), (CONTENT_SECURITY_POLICY, POLICY)], bytes).into_response())
 }

@@ -7,6 +7,7 @@ use axum::http::request::Parts;
 use axum::http::{HeaderMap, Request};
 
 use crate::app::Service;
+use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::request::{self, checked};
 use crate::wire;
@@ -33,13 +34,18 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
             Ok(Err(_)) => return Err(Problem::BrokenBody),
             Ok(Ok(body)) => body,
         };
-        let field = wire::read::<R>(&body).map_err(|error| Problem::NotJson {
-            detail: error.to_string(),
-            line: error.line(),
-            column: error.column(),
-        })?;
-        checked(&field).map(Self).map_err(Problem::Invalid)
+        service.pool().run(Cost::of_body(body.len()), move || query::<R>(&body)).await.map(Self)
     }
+}
+
+/// Reads and checks a body.
+fn query<R: request::Request>(body: &[u8]) -> Result<R::Query, Problem> {
+    let field = wire::read::<R>(body).map_err(|error| Problem::NotJson {
+        detail: error.to_string(),
+        line: error.line(),
+        column: error.column(),
+    })?;
+    checked(&field).map_err(Problem::Invalid)
 }
 
 fn is_length_limit(error: &axum::Error) -> bool {

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use axum::Router;
+use axum::body::Bytes;
 use axum::extract::Path;
 use axum::http::header::{CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, IF_NONE_MATCH, REFERRER_POLICY};
 use axum::http::{HeaderMap, HeaderValue, StatusCode};
@@ -45,10 +46,11 @@ fn file(name: &str, request: &HeaderMap) -> Result<Response, Problem> {
     if known.split(',').any(|known| known.trim().trim_start_matches("W/").as_bytes() == tag.as_bytes()) {
         return Ok((StatusCode::NOT_MODIFIED, headers).into_response());
     }
-    Ok(match data {
-        Cow::Borrowed(bytes) => (headers, bytes).into_response(),
-        Cow::Owned(bytes) => (headers, bytes).into_response(),
-    })
+    let bytes = match data {
+        Cow::Borrowed(bytes) => Bytes::from_static(bytes),
+        Cow::Owned(bytes) => bytes.into(),
+    };
+    Ok((headers, bytes).into_response())
 }
 
 fn content_type(name: &str) -> &'static str {

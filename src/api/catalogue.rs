@@ -1,5 +1,8 @@
 //! `GET /v1/wheels`, `GET /v1/soils` and their single entries.
 
+use std::sync::LazyLock;
+
+use axum::body::Bytes;
 use axum::extract::Path;
 use axum::response::Response;
 use serde::Serialize;
@@ -7,7 +10,7 @@ use utoipa::ToSchema;
 
 use super::responses::{Limits, UnknownName};
 use crate::catalogue::{self, SoilView, WheelView};
-use crate::compute::json;
+use crate::compute::{json, json_text};
 use crate::problem::Problem;
 use crate::wire::nearest;
 
@@ -29,16 +32,25 @@ struct SoilsReply {
 ///
 /// Every value with its source; `id` is the name for `preset`.
 #[utoipa::path(get, path = "/v1/wheels", tag = "catalogue", responses((status = 200, description = "The wheels", body = WheelsReply), Limits))]
-pub(crate) async fn wheels() -> Result<Response, Problem> {
-    json(&WheelsReply { wheels: catalogue::wheels().iter().map(|record| record.view()).collect() })
+pub(crate) async fn wheels() -> Response {
+    static TEXT: LazyLock<Bytes> =
+        LazyLock::new(|| text(&WheelsReply { wheels: catalogue::wheels().iter().map(|record| record.view()).collect() }));
+    json_text(TEXT.clone())
 }
 
 /// The soils of the catalogue
 ///
 /// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add.
 #[utoipa::path(get, path = "/v1/soils", tag = "catalogue", responses((status = 200, description = "The soils", body = SoilsReply), Limits))]
-pub(crate) async fn soils() -> Result<Response, Problem> {
-    json(&SoilsReply { soils: catalogue::soils().iter().map(|record| record.view()).collect() })
+pub(crate) async fn soils() -> Response {
+    static TEXT: LazyLock<Bytes> =
+        LazyLock::new(|| text(&SoilsReply { soils: catalogue::soils().iter().map(|record| record.view()).collect() }));
+    json_text(TEXT.clone())
+}
+
+/// A list that does not change is written once.
+fn text<T: Serialize>(list: &T) -> Bytes {
+    serde_json::to_vec(list).unwrap_or_default().into()
 }
 
 /// One wheel of the catalogue

@@ -2,12 +2,12 @@
 
 use std::sync::LazyLock;
 
-use axum::http::header::CONTENT_TYPE;
-use axum::response::{IntoResponse, Response};
+use axum::response::Response;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 use super::responses::Limits;
+use crate::compute::json_text;
 
 /// What the service computes.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
@@ -104,7 +104,7 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
 /// printed is not what is computed.
 #[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), Limits))]
 pub(crate) async fn model() -> Response {
-    ([(CONTENT_TYPE, "application/json")], TEXT.as_str()).into_response()
+    json_text(TEXT.as_str())
 }
 
 #[cfg(test)]

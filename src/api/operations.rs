@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::responses::Limits;
 use crate::app::Service;
-use crate::compute::json;
+use crate::compute::{json, json_text};
 use crate::problem::Problem;
 
 /// State of the service.
@@ -65,5 +65,5 @@ pub(crate) async fn metrics(State(service): State<Service>) -> Result<Response, 
     responses((status = 200, description = "The OpenAPI document", body = serde_json::Value), Limits)
 )]
 pub(crate) async fn openapi() -> Response {
-    ([(CONTENT_TYPE, "application/json")], crate::openapi::text()).into_response()
+    json_text(crate::openapi::text())
 }

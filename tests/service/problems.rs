@@ -141,6 +141,15 @@ fn a_body_beyond_the_limit_is_a_413_declared_or_not() {
     send_to(service(), request("POST", "/v1/forces", &[json], padded)).ok();
 }
 
+/// Reading a long body takes a place on the pool; what it says is the same.
+#[test]
+fn a_long_body_is_read_like_a_short_one() {
+    let padded = format!("{}{}", " ".repeat(500_000), letter());
+    post_text("/v1/forces", padded).ok();
+    let problem = post_text("/v1/forces", format!("{}{{", "\n".repeat(500_000))).problem(400);
+    assert_eq!(problem["line"], 500_001);
+}
+
 #[test]
 fn a_body_that_never_ends_is_a_408() {
     let limits = Limits { body_deadline: std::time::Duration::from_millis(50), ..Limits::default() };
