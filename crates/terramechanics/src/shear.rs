@@ -11,7 +11,7 @@ pub(crate) struct JanosiHanamoto {
 }
 
 impl JanosiHanamoto {
-    /// E = sgn(j) (1 − exp(−|j|/K)) from the shear displacement j [m]: in [0, 1] for j ≥ 0, odd in j. Eq. (6).
+    /// E = sgn(j) (1 − exp(−|j|/K)) from the shear displacement j (m): in [0, 1] for j ≥ 0, odd in j. Eq. (6).
     #[inline]
     pub(crate) fn mobilisation(self, displacement: f64) -> f64 {
         let x = (displacement * self.per_modulus).abs();
