@@ -51,7 +51,7 @@ mod tests {
     use super::*;
     use crate::request::LAWS;
     use std::collections::BTreeSet;
-    use terramechanics::{ForceModel, Method, Slip, Soil, SoilParams, Wheel, WheelParams};
+    use terramechanics::{ForceModel, JanosiHanamoto, Method, ShearLaw, Slip, Soil, SoilParams, Wheel, WheelParams};
 
     #[test]
     fn names_are_unique_and_the_letters_own_are_among_a_dozen() {
@@ -115,7 +115,9 @@ mod tests {
             let soil = Soil::new(SoilParams {
                 cohesion: value("cohesion_pa"),
                 friction_angle: value("friction_angle_rad"),
-                shear_modulus: value("shear_modulus_m"),
+                shear: record
+                    .shear()
+                    .unwrap_or_else(|| ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: value("shear_modulus_m") })),
                 pressure_sinkage: record.pressure_sinkage().expect("a law"),
             })
             .expect("a soil");

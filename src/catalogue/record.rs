@@ -3,10 +3,13 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use terramechanics::{Bekker, Contact, ContactParams, Diameter, Direct, PeakRule, PressureSinkage, Reece, SinkageExponent};
+use terramechanics::{
+    Bekker, Contact, ContactParams, Diameter, Direct, PeakRule, PressureSinkage, Reece, ShearLaw, SinkageExponent, WongPeak,
+    WongResidual,
+};
 use utoipa::ToSchema;
 
-use crate::request::{LAWS, RULES};
+use crate::request::{LAWS, RULES, SHEAR_LAWS};
 
 /// How well a value is founded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
@@ -58,7 +61,16 @@ pub(crate) struct SoilRecord {
     note: Option<String>,
     pub(crate) law: String,
     pub(crate) values: BTreeMap<String, Value>,
+    shear: Option<ShearRecord>,
     contact: Option<ContactRecord>,
+}
+
+/// A shear law other than Janosi–Hanamoto's.
+#[derive(Debug, Clone, Deserialize)]
+struct ShearRecord {
+    law: String,
+    #[serde(flatten)]
+    values: BTreeMap<String, Value>,
 }
 
 /// A measured contact.
@@ -143,6 +155,8 @@ struct SoilBody<'a> {
     #[serde(flatten)]
     strength: BTreeMap<&'a str, f64>,
     pressure_sinkage: TaggedBody<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shear: Option<TaggedBody<'a>>,
 }
 
 /// A law or a rule with its parameters.
@@ -213,7 +227,7 @@ impl SoilRecord {
     /// The pressure–sinkage law, if all its parameters are known.
     pub(crate) fn pressure_sinkage(&self) -> Option<PressureSinkage> {
         let number = |name: &str| self.number(name);
-        let exponent = SinkageExponent { base: number("n0")?, slip_gain: number("n1").unwrap_or(0.0) };
+        let exponent = SinkageExponent { base: number("n0")?, slip_gain: number("n1").unwrap_or(0.0), skid_gain: number("n2") };
         Some(match self.law.as_str() {
             "bekker" => PressureSinkage::Bekker(Bekker { k_c: number("k_c")?, k_phi: number("k_phi")?, exponent }),
             "direct" => PressureSinkage::Direct(Direct { k_s: number("k_s")?, exponent }),
@@ -224,6 +238,20 @@ impl SoilRecord {
                 exponent,
             }),
             "diameter" => PressureSinkage::Diameter(Diameter { k: number("k")?, m: number("m")?, exponent }),
+            _ => return None,
+        })
+    }
+
+    /// The shear law, if it is another than Janosi–Hanamoto's.
+    pub(crate) fn shear(&self) -> Option<ShearLaw> {
+        let record = self.shear.as_ref()?;
+        let number = |name: &str| record.values.get(name).map(|value| value.value);
+        Some(match record.law.as_str() {
+            "wong_residual" => ShearLaw::WongResidual(WongResidual {
+                residual_ratio: number("residual_ratio")?,
+                peak_displacement: number("peak_displacement_m")?,
+            }),
+            "wong_peak" => ShearLaw::WongPeak(WongPeak { peak_displacement: number("peak_displacement_m")? }),
             _ => return None,
         })
     }
@@ -244,6 +272,7 @@ impl SoilRecord {
     /// Required fields that are not known.
     pub(crate) fn missing(&self) -> Vec<&'static str> {
         let mut missing = absent(&self.values, STRENGTH);
+        missing.retain(|name| *name != "shear_modulus_m" || self.shear().is_none());
         if self.pressure_sinkage().is_none() {
             missing.push("pressure_sinkage");
         }
@@ -259,6 +288,9 @@ impl SoilRecord {
         if let Some(contact) = &self.contact {
             values.extend(views(&contact.values, &self.source, self.grade));
         }
+        if let Some(shear) = &self.shear {
+            values.extend(views(&shear.values, &self.source, self.grade));
+        }
         SoilView {
             id: &self.id,
             name: &self.name,
@@ -273,6 +305,11 @@ impl SoilRecord {
                     rule: None,
                     parameters: numbers(&self.values, &parameters(LAWS, &self.law)),
                 },
+                shear: self.shear.as_ref().map(|shear| TaggedBody {
+                    law: Some(&shear.law),
+                    rule: None,
+                    parameters: numbers(&shear.values, &parameters(SHEAR_LAWS, &shear.law)),
+                }),
             },
             contact: self.contact.as_ref().map(|contact| TaggedBody {
                 law: None,

@@ -3,7 +3,7 @@
 use terramechanics::{Motion, Operation};
 
 use super::operation::{self, MethodEntries, MotionEntries, OperationEntries};
-use super::{ContactDto, Request, SoilDto, WheelDto};
+use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};
 
 wire_object! {
@@ -17,6 +17,7 @@ wire_object! {
         angular_velocity_rad_s: f64 = operation::ANGULAR_VELOCITY,
         sinkage_m: f64 = operation::SINKAGE,
         static_sinkage_m: f64 = operation::STATIC_SINKAGE,
+        slip_sinkage: SlipSinkageDto = operation::SLIP_SINKAGE,
         normal_load_n: f64 = operation::NORMAL_LOAD,
         method: String = operation::METHOD,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
@@ -42,6 +43,7 @@ impl Request for ForcesDto {
             contact: self.contact(),
             sinkage: self.sinkage_m(),
             static_sinkage: self.static_sinkage_m(),
+            slip_sinkage: self.slip_sinkage(),
             normal_load: self.normal_load_n(),
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),

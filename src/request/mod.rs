@@ -11,9 +11,10 @@ mod wheel;
 
 pub(crate) use contact::{ContactDto, RULES};
 pub(crate) use forces::{ForcesDto, ForcesQuery};
+pub(crate) use operation::SlipSinkageDto;
 pub(crate) use operation::{error_fault, error_pointer};
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};
-pub(crate) use soil::{LAWS, SoilDto};
+pub(crate) use soil::{LAWS, SHEAR_LAWS, SoilDto};
 pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
 pub(crate) use wheel::WheelDto;
 

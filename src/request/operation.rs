@@ -1,12 +1,17 @@
 //! What all requests for forces have in common: wheel, soil, contact, method and sinkage.
 
 use terramechanics::{
-    Contact, Error, ForceModel, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth, Sinkage, Slip, Velocities,
-    Wheel, WheelOnSoil,
+    Contact, Error, ForceModel, LinearSlipSinkage, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth, Sinkage,
+    Slip, SlipSinkage, Velocities, Wheel, WheelOnSoil,
 };
 
+use utoipa::openapi::{RefOr, Schema};
+
+use super::soil::numbers_of;
 use super::{ContactDto, SoilDto, WheelDto};
-use crate::wire::{Choice, Entry, FieldFault, Lambda, LambdaSpec, Nested, Number, Scope};
+use crate::wire::{
+    Choice, Entry, FieldFault, Lambda, LambdaSpec, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object,
+};
 
 pub(super) const WHEEL: Nested<WheelDto> = Nested::required("The wheel.");
 pub(super) const SOIL: Nested<SoilDto> = Nested::required("The soil.");
@@ -20,7 +25,9 @@ pub(super) const SLIP: Number =
     Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0);
 pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0);
 pub(super) const STATIC_SINKAGE: Number =
-    Number::new("Static sinkage z0 (m); the sinkage follows from the slip, z = z0 (1 + s)/(1 − s/2).", 1e-9, 100.0);
+    Number::new("Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", 1e-9, 100.0);
+pub(super) const SLIP_SINKAGE: Nested<SlipSinkageDto> =
+    Nested::optional("Slip–sinkage law beside static_sinkage_m; lyasko unless given.");
 pub(super) const NORMAL_LOAD: Number = Number::new("Vertical load W (N); the sinkage is solved so that F_z = W.", 1e-9, 1e12);
 pub(super) const METHOD: Choice = Choice {
     doc: "quadrature: the integral of the stresses; linearised: linear stresses, closed form; explicit: the letter's formulas.",
@@ -43,6 +50,39 @@ pub(super) const LAMBDA_B: LambdaSpec =
     LambdaSpec { number: Number::new("λ_B of B ≈ (1 + λ_B) z/(2r) (–).", -1.0, 1.0).or(0.0), word: EXACT };
 const EXACT: Choice = Choice { doc: "The value at which the approximation is exact.", words: || vec!["exact"], default: None };
 
+/// The slip–sinkage laws and their parameters.
+const SLIP_SINKAGE_LAWS: &[Variant] =
+    &[Variant { name: "lyasko", required: &[], optional: &[] }, Variant { name: "linear", required: &["gain"], optional: &[] }];
+
+fn slip_sinkage_names() -> Vec<&'static str> {
+    Variant::names(SLIP_SINKAGE_LAWS)
+}
+
+fn slip_sinkage_schema(doc: &str, fields: &[(&'static str, &dyn Spec)]) -> RefOr<Schema> {
+    tagged_schema(doc, fields, "law", SLIP_SINKAGE_LAWS)
+}
+
+wire_object! {
+    /// How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s).
+    SlipSinkageDto as "SlipSinkage" with slip_sinkage_schema {
+        law: String = Choice { doc: "Name of the law.", words: slip_sinkage_names, default: None },
+        gain: f64 = Number::new("S of the linear law (–).", 0.0, 100.0),
+    }
+}
+
+impl SlipSinkageDto {
+    fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
+        self.report_oddities(place);
+        self.law().required(place);
+        let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));
+        let [gain] = numbers_of(law, &[self.gain()], place);
+        Some(match law?.name {
+            "lyasko" => SlipSinkage::Lyasko,
+            _ => SlipSinkage::Linear(LinearSlipSinkage { gain: gain? }),
+        })
+    }
+}
+
 /// The fields of a request that make an operation; a request without a method is answered by the quadrature.
 pub(super) struct OperationEntries<'a> {
     pub(super) wheel: Entry<'a, WheelDto>,
@@ -50,6 +90,7 @@ pub(super) struct OperationEntries<'a> {
     pub(super) contact: Entry<'a, ContactDto>,
     pub(super) sinkage: Entry<'a, f64>,
     pub(super) static_sinkage: Entry<'a, f64>,
+    pub(super) slip_sinkage: Entry<'a, SlipSinkageDto>,
     pub(super) normal_load: Entry<'a, f64>,
     pub(super) normal_stress_radius: Entry<'a, String>,
     pub(super) peak_sinkage: Entry<'a, String>,
@@ -104,8 +145,20 @@ impl OperationEntries<'_> {
         }
     }
 
+    /// The slip–sinkage law, which has a meaning only beside a static sinkage.
+    fn slip_sinkage(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
+        if !self.slip_sinkage.is_present() {
+            return Some(SlipSinkage::Lyasko);
+        }
+        if !self.static_sinkage.is_present() {
+            place.field(self.slip_sinkage.name).fault(format_args!("needs `{}` beside it", self.static_sinkage.name));
+        }
+        self.slip_sinkage.given(place)?.check(&place.field(self.slip_sinkage.name))
+    }
+
     /// The sinkage, given in exactly one of three ways.
     fn sinkage(&self, place: &Scope<'_>, wheel: Option<&Wheel>) -> Option<Sinkage> {
+        let law = self.slip_sinkage(place);
         let ways = [&self.sinkage, &self.static_sinkage, &self.normal_load];
         let values = ways.map(|entry| entry.checked(place));
         let given: Vec<&str> = ways.iter().filter(|entry| entry.is_present()).map(|entry| entry.name).collect();
@@ -132,7 +185,7 @@ impl OperationEntries<'_> {
                 }
                 Some(Sinkage::Given(sinkage))
             }
-            [None, Some(static_sinkage), None] => Some(Sinkage::FromStatic(static_sinkage)),
+            [None, Some(static_sinkage), None] => Some(Sinkage::FromStatic { static_sinkage, law: law? }),
             [None, None, Some(load)] => Some(Sinkage::CarryingLoad(load)),
             _ => None,
         }
@@ -223,7 +276,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
     match error {
         Error::SinkageOutsideWheel { .. } => match sinkage {
             Sinkage::Given(_) => "/sinkage_m",
-            Sinkage::FromStatic(_) => "/static_sinkage_m",
+            Sinkage::FromStatic { .. } => "/static_sinkage_m",
             Sinkage::CarryingLoad(_) => "/normal_load_n",
         },
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",

@@ -4,7 +4,7 @@ use terramechanics::{Operation, Slip};
 
 use super::axis::{SlipAxis, SlipAxisSpec};
 use super::operation::{self, MethodEntries, OperationEntries};
-use super::{ContactDto, Request, SoilDto, WheelDto};
+use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};
 
 wire_object! {
@@ -16,6 +16,7 @@ wire_object! {
         slip: SlipAxis = SlipAxisSpec,
         sinkage_m: f64 = operation::SINKAGE,
         static_sinkage_m: f64 = operation::STATIC_SINKAGE,
+        slip_sinkage: SlipSinkageDto = operation::SLIP_SINKAGE,
         normal_load_n: f64 = operation::NORMAL_LOAD,
         method: String = operation::METHOD,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
@@ -41,6 +42,7 @@ impl Request for SweepDto {
             contact: self.contact(),
             sinkage: self.sinkage_m(),
             static_sinkage: self.static_sinkage_m(),
+            slip_sinkage: self.slip_sinkage(),
             normal_load: self.normal_load_n(),
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),

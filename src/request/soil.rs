@@ -2,7 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use terramechanics::{Bekker, Contact, Diameter, Direct, PressureSinkage, Reece, SinkageExponent, Soil, SoilParams};
+use terramechanics::{
+    Bekker, Contact, Diameter, Direct, JanosiHanamoto, PressureSinkage, Reece, ShearLaw, SinkageExponent, Soil, SoilParams,
+    WongPeak, WongResidual,
+};
 use utoipa::openapi::{RefOr, Schema};
 
 use super::wheel::missing;
@@ -15,8 +18,9 @@ wire_object! {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
         friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above(),
-        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m).", 1e-6, 10.0),
+        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
+        shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
     }
 }
 
@@ -38,7 +42,7 @@ impl SoilDto {
         };
         let cohesion = value(self.cohesion_pa());
         let friction_angle = value(self.friction_angle_rad());
-        let shear_modulus = value(self.shear_modulus_m());
+        let shear = self.shear_law(place, preset, || value(self.shear_modulus_m()));
         let law = self.pressure_sinkage();
         let pressure_sinkage = if law.is_present() {
             law.given(place).and_then(|dto| dto.check(&place.field(law.name)))
@@ -52,7 +56,7 @@ impl SoilDto {
         let params = SoilParams {
             cohesion: cohesion?,
             friction_angle: friction_angle?,
-            shear_modulus: shear_modulus?,
+            shear: shear?,
             pressure_sinkage: pressure_sinkage?,
         };
         if unknown_preset {
@@ -61,14 +65,75 @@ impl SoilDto {
         let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
         Some((soil, preset.and_then(SoilRecord::contact)))
     }
+
+    /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.
+    fn shear_law(
+        &self,
+        place: &Scope<'_>,
+        preset: Option<&SoilRecord>,
+        modulus: impl FnOnce() -> Option<f64>,
+    ) -> Option<ShearLaw> {
+        let law = self.shear();
+        let chosen =
+            if law.is_present() { law.given(place)?.check(&place.field(law.name))? } else { preset.and_then(SoilRecord::shear) };
+        match chosen {
+            Some(law) => {
+                let given = self.shear_modulus_m();
+                if given.is_present() { given.checked(place).map(|_| law) } else { Some(law) }
+            }
+            None => Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: modulus()? })),
+        }
+    }
+}
+
+/// The shear laws and their parameters; Janosi–Hanamoto's is the soil's `shear_modulus_m`.
+pub(crate) const SHEAR_LAWS: &[Variant] = &[
+    Variant { name: "janosi_hanamoto", required: &[], optional: &[] },
+    Variant { name: "wong_residual", required: &["residual_ratio", "peak_displacement_m"], optional: &[] },
+    Variant { name: "wong_peak", required: &["peak_displacement_m"], optional: &[] },
+];
+
+fn shear_law_names() -> Vec<&'static str> {
+    Variant::names(SHEAR_LAWS)
+}
+
+fn shear_schema(doc: &str, fields: &[(&'static str, &dyn Spec)]) -> RefOr<Schema> {
+    tagged_schema(doc, fields, "law", SHEAR_LAWS)
+}
+
+wire_object! {
+    /// How shear strength builds up with displacement: to the full strength and no further (Janosi–Hanamoto), over a hump to a residual, or over a peak to nothing (Wong).
+    ShearDto as "Shear" with shear_schema {
+        law: String = Choice { doc: "Name of the law.", words: shear_law_names, default: None },
+        residual_ratio: f64 = Number::new("Residual over largest strength K_r (–).", 1e-3, 1.0),
+        peak_displacement_m: f64 = Number::new("Shear displacement K_w at the largest strength (m).", 1e-6, 10.0),
+    }
+}
+
+impl ShearDto {
+    /// The law, or none for the one that takes the soil's own modulus; nothing where something was reported.
+    fn check(&self, place: &Scope<'_>) -> Option<Option<ShearLaw>> {
+        self.report_oddities(place);
+        self.law().required(place);
+        let law = self.law().looked_up(place, |word| Variant::named(SHEAR_LAWS, word));
+        let [residual_ratio, peak_displacement] = numbers_of(law, &[self.residual_ratio(), self.peak_displacement_m()], place);
+        Some(match law?.name {
+            "janosi_hanamoto" => None,
+            "wong_residual" => Some(ShearLaw::WongResidual(WongResidual {
+                residual_ratio: residual_ratio?,
+                peak_displacement: peak_displacement?,
+            })),
+            _ => Some(ShearLaw::WongPeak(WongPeak { peak_displacement: peak_displacement? })),
+        })
+    }
 }
 
 /// The laws and their parameters.
 pub(crate) const LAWS: &[Variant] = &[
-    Variant { name: "bekker", required: &["k_c", "k_phi", "n0"], optional: &["n1"] },
-    Variant { name: "direct", required: &["k_s", "n0"], optional: &["n1"] },
-    Variant { name: "reece", required: &["k_c", "k_phi", "unit_weight_n_m3", "n0"], optional: &["n1"] },
-    Variant { name: "diameter", required: &["k", "m", "n0"], optional: &["n1"] },
+    Variant { name: "bekker", required: &["k_c", "k_phi", "n0"], optional: &["n1", "n2"] },
+    Variant { name: "direct", required: &["k_s", "n0"], optional: &["n1", "n2"] },
+    Variant { name: "reece", required: &["k_c", "k_phi", "unit_weight_n_m3", "n0"], optional: &["n1", "n2"] },
+    Variant { name: "diameter", required: &["k", "m", "n0"], optional: &["n1", "n2"] },
 ];
 
 fn law_names() -> Vec<&'static str> {
@@ -80,7 +145,7 @@ fn law_schema(doc: &str, fields: &[(&'static str, &dyn Spec)]) -> RefOr<Schema> 
 }
 
 wire_object! {
-    /// A pressure–sinkage law σ = K_s z^N with N = n0 + n1 s.
+    /// A pressure–sinkage law σ = K_s z^N with N = n0 + n1 s, or n0 − n2 s at negative slip where n2 is given.
     PressureSinkageDto as "PressureSinkage" with law_schema {
         law: String = Choice { doc: "Name of the law.", words: law_names, default: None },
         k_c: f64 = Number::new("Cohesive modulus: Bekker's k_c (N/m^(n+1)), may be negative, or Reece's k_c' (–).", -1e9, 1e9),
@@ -91,6 +156,7 @@ wire_object! {
         m: f64 = Number::new("Exponent m of the wheel's diameter (–).", -10.0, 10.0),
         n0: f64 = Number::new("Sinkage exponent without slip (–).", 1e-3, 10.0),
         n1: f64 = Number::new("Gain of the exponent with slip (–).", -10.0, 10.0).or(0.0),
+        n2: f64 = Number::new("Gain of the exponent with skid (–): N = n0 − n2 s at s < 0; n1 holds there too unless given.", -10.0, 10.0),
     }
 }
 
@@ -100,9 +166,9 @@ impl PressureSinkageDto {
         self.law().required(place);
         let law = self.law().looked_up(place, |word| Variant::named(LAWS, word));
         let parameters =
-            [self.k_c(), self.k_phi(), self.k_s(), self.unit_weight_n_m3(), self.k(), self.m(), self.n0(), self.n1()];
-        let [k_c, k_phi, k_s, unit_weight, k, m, base, slip_gain] = numbers_of(law, &parameters, place);
-        let exponent = SinkageExponent { base: base?, slip_gain: slip_gain? };
+            [self.k_c(), self.k_phi(), self.k_s(), self.unit_weight_n_m3(), self.k(), self.m(), self.n0(), self.n1(), self.n2()];
+        let [k_c, k_phi, k_s, unit_weight, k, m, base, slip_gain, skid_gain] = numbers_of(law, &parameters, place);
+        let exponent = SinkageExponent { base: base?, slip_gain: slip_gain?, skid_gain };
         Some(match law?.name {
             "bekker" => PressureSinkage::Bekker(Bekker { k_c: k_c?, k_phi: k_phi?, exponent }),
             "direct" => PressureSinkage::Direct(Direct { k_s: k_s?, exponent }),

@@ -3,7 +3,7 @@
 use terramechanics::{Motion, Operation, PeakDepth};
 
 use super::operation::{self, MotionEntries, OperationEntries};
-use super::{ContactDto, Request, SoilDto, WheelDto};
+use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Number, Scope, wire_object};
 
 const POINTS: Number = Number::new(
@@ -25,6 +25,7 @@ wire_object! {
         angular_velocity_rad_s: f64 = operation::ANGULAR_VELOCITY,
         sinkage_m: f64 = operation::SINKAGE,
         static_sinkage_m: f64 = operation::STATIC_SINKAGE,
+        slip_sinkage: SlipSinkageDto = operation::SLIP_SINKAGE,
         normal_load_n: f64 = operation::NORMAL_LOAD,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
         peak_sinkage: String = operation::PEAK_SINKAGE,
@@ -50,6 +51,7 @@ impl Request for ProfileDto {
             contact: self.contact(),
             sinkage: self.sinkage_m(),
             static_sinkage: self.static_sinkage_m(),
+            slip_sinkage: self.slip_sinkage(),
             normal_load: self.normal_load_n(),
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),

@@ -129,7 +129,8 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
     let sweep = path == "/v1/slip-sweep";
     let slip = |slip: f64| if sweep { json!({"from": slip, "to": slip, "points": 2}) } else { json!(slip) };
     let mut body = with(&letter(), json!({"slip": slip(0.0)}));
-    let law = field.variants.iter().find(|(_, tag, _)| tag == "law").map_or("bekker", |(_, _, law)| law);
+    let law_of = |object: &str| field.variants.iter().find(|(pointer, _, _)| pointer == object).map(|(_, _, law)| law.as_str());
+    let law = law_of("/soil/pressure_sinkage").unwrap_or("bekker");
     let parameters = match (law, field.pointer.rsplit('/').next()) {
         ("bekker", Some("k_c")) => json!({"k_c": 0, "k_phi": 1e12, "n0": 1}),
         ("bekker", _) => json!({"k_c": 1e9, "k_phi": 1e6, "n0": 1}),
@@ -148,6 +149,14 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
             body = with(&body, json!({"soil": {"pressure_sinkage": null}}));
             json!({"soil": with(&around_law, json!({"pressure_sinkage": with(&parameters, json!({"law": law}))}))})
         }
+        pointer if pointer.starts_with("/soil/shear/") => {
+            let parameters = match law_of("/soil/shear") {
+                Some("wong_residual") => json!({"law": "wong_residual", "residual_ratio": 0.66, "peak_displacement_m": 0.02}),
+                law => json!({"law": law, "peak_displacement_m": 0.02}),
+            };
+            json!({"soil": {"shear": parameters}})
+        }
+        "/slip_sinkage/gain" => json!({"sinkage_m": null, "static_sinkage_m": 0.01, "slip_sinkage": {"law": "linear"}}),
         "/contact/c1" => {
             json!({"contact": {"rule": "wong_reece", "c2": if value > 0.5 { -1.5 } else { 1.5 }}, "slip": slip(1.0)})
         }

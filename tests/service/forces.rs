@@ -177,3 +177,56 @@ fn what_the_model_refuses_points_at_its_field() {
     let largest = format!("{:.2}", number(&full, "normal_force_n"));
     assert!(fault.contains(&format!("carries is {largest} N")), "the largest load is named: {fault}");
 }
+
+/// A locked wheel under Janosi–Hanamoto's law has E = −1, under Wong's with a residual E = −K_r; with c = 0 the traction is
+/// proportional to it.
+#[test]
+fn shear_laws_are_taken_and_differ_as_they_should() {
+    let traction = |shear: Value, slip: f64| {
+        let reply = post("/v1/forces", &with(&letter(), json!({"slip": slip, "soil": {"shear": shear}}))).ok();
+        number(&reply["components"], "traction_n")
+    };
+    let plain = json!({"law": "janosi_hanamoto"});
+    let residual = json!({"law": "wong_residual", "residual_ratio": 0.4, "peak_displacement_m": 0.005});
+    let peak = json!({"law": "wong_peak", "peak_displacement_m": 0.005});
+    assert_eq!(traction(plain.clone(), 0.2), number(&post("/v1/forces", &letter()).ok()["components"], "traction_n"));
+    assert!((traction(residual.clone(), -1.0) / traction(plain.clone(), -1.0) - 0.4).abs() < 1e-13);
+    assert_eq!(traction(peak.clone(), -1.0), 0.0);
+    // Far beyond the peak displacement, on the spot, what is left is the residual, and next to nothing.
+    assert!(traction(residual, 1.0) < 0.75 * traction(plain.clone(), 1.0));
+    assert!(traction(peak, 1.0) < 0.5 * traction(plain, 1.0));
+}
+
+#[test]
+fn a_law_without_shear_modulus_does_not_ask_for_one() {
+    let without = with(&letter(), json!({"soil": {"shear_modulus_m": null}}));
+    let peak = json!({"law": "wong_peak", "peak_displacement_m": 0.02});
+    post("/v1/forces", &with(&without, json!({"soil": {"shear": peak}}))).ok();
+    assert_eq!(post("/v1/forces", &without).pointers(), ["/soil/shear_modulus_m"]);
+    let faulty = json!({"shear": {"law": "wong_peek", "peak_displacement_m": -1}});
+    let mut pointers = post("/v1/forces", &with(&without, json!({"soil": faulty}))).pointers();
+    pointers.sort();
+    assert_eq!(pointers, ["/soil/shear/law", "/soil/shear/peak_displacement_m"]);
+}
+
+#[test]
+fn slip_sinkage_laws_are_taken_beside_a_static_sinkage_only() {
+    let base = with(&letter(), json!({"sinkage_m": null, "static_sinkage_m": 0.01}));
+    let sinkage = |law: Value| number(&post("/v1/forces", &with(&base, json!({"slip_sinkage": law}))).ok(), "sinkage_m");
+    assert!((sinkage(json!({"law": "lyasko"})) - 0.01 * 1.2 / 0.9).abs() < 1e-17);
+    assert!((sinkage(json!({"law": "linear", "gain": 1.5})) - 0.013).abs() < 1e-17);
+    let linear = json!({"slip_sinkage": {"law": "linear", "gain": 1}});
+    assert_eq!(post("/v1/forces", &with(&letter(), linear)).pointers(), ["/slip_sinkage"]);
+    assert_eq!(post("/v1/forces", &with(&base, json!({"slip_sinkage": {"law": "linear"}}))).pointers(), ["/slip_sinkage/gain"]);
+}
+
+#[test]
+fn a_skid_gain_changes_the_exponent_at_negative_slip_only() {
+    let exponent = |slip: f64| {
+        let gains = json!({"slip": slip, "soil": {"pressure_sinkage": {"n1": 0.1, "n2": 0.7}}});
+        let reply = post("/v1/forces", &with(&letter(), gains)).ok();
+        assert_eq!(reply["warnings"], json!([]));
+        number(&reply, "sinkage_exponent")
+    };
+    assert!((exponent(0.2) - 0.93).abs() < 1e-15 && (exponent(-0.2) - 1.05).abs() < 1e-15);
+}

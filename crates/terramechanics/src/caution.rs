@@ -9,7 +9,7 @@ use crate::slip::Slip;
 /// A reason to take a result with care.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Caution {
-    /// N = n0 + n1 s was fitted to driving wheels and is applied to a braking one.
+    /// N = n0 + n1 s was fitted to driving wheels and is applied to a braking one, for which no gain of its own is given.
     SlipGainExtrapolated,
     /// The slip–sinkage relation was fitted to driving wheels and is applied to a braking one.
     SlipSinkageExtrapolated,
@@ -51,7 +51,7 @@ impl fmt::Display for Caution {
                 )
             }
             Self::SlipSinkageExtrapolated => {
-                write!(f, "the slip–sinkage relation (18) was fitted to driving wheels; at negative slip it extrapolates")
+                write!(f, "the slip–sinkage law was fitted to driving wheels; at negative slip it extrapolates")
             }
             Self::IntegrationError { estimate } => {
                 write!(f, "the integrals may be off by {estimate:.1e} of the scale of the forces")
@@ -63,11 +63,11 @@ impl fmt::Display for Caution {
 /// The cautions that apply to the forces of `operation` at `slip`.
 pub fn cautions(operation: &Operation, slip: Slip, forces: Option<&Forces>) -> impl Iterator<Item = Caution> {
     let braking = !slip.is_driving();
-    let slip_gain = operation.system.soil.pressure_sinkage().exponent().slip_gain;
+    let exponent = operation.system.soil.pressure_sinkage().exponent();
     let estimate = forces.map_or(0.0, |forces| forces.integration_error);
     [
-        (braking && slip_gain != 0.0).then_some(Caution::SlipGainExtrapolated),
-        (braking && matches!(operation.sinkage, Sinkage::FromStatic(_))).then_some(Caution::SlipSinkageExtrapolated),
+        (braking && exponent.slip_gain != 0.0 && exponent.skid_gain.is_none()).then_some(Caution::SlipGainExtrapolated),
+        (braking && matches!(operation.sinkage, Sinkage::FromStatic { .. })).then_some(Caution::SlipSinkageExtrapolated),
         Caution::of_integration(estimate),
     ]
     .into_iter()

@@ -4,7 +4,7 @@ use crate::contact::Angles;
 use crate::error::Error;
 use crate::forces::{ForceModel, Forces};
 use crate::slip::Slip;
-use crate::slip_sinkage::lyasko_sinkage;
+use crate::slip_sinkage::SlipSinkage;
 use crate::stress::{Rolling, WheelOnSoil};
 
 /// How the sinkage is known.
@@ -12,8 +12,13 @@ use crate::stress::{Rolling, WheelOnSoil};
 pub enum Sinkage {
     /// Given (m).
     Given(f64),
-    /// From the static sinkage (m) and the slip, Eq. (18).
-    FromStatic(f64),
+    /// From the static sinkage and the slip.
+    FromStatic {
+        /// Static sinkage z0 (m).
+        static_sinkage: f64,
+        /// Slip–sinkage law.
+        law: SlipSinkage,
+    },
     /// Such that the normal force carries this load (N).
     CarryingLoad(f64),
 }
@@ -76,7 +81,7 @@ impl Operation {
     pub fn sinkage_of(&self, rolling: &Rolling) -> Result<(f64, Option<Forces>), Error> {
         match self.sinkage {
             Sinkage::Given(sinkage) => Ok((sinkage, None)),
-            Sinkage::FromStatic(static_sinkage) => Ok((lyasko_sinkage(static_sinkage, rolling.slip), None)),
+            Sinkage::FromStatic { static_sinkage, law } => Ok((law.sinkage(static_sinkage, rolling.slip), None)),
             Sinkage::CarryingLoad(load) => {
                 let carried = self.model.solve_sinkage(rolling, load)?;
                 Ok((carried.sinkage, Some(carried.forces)))

@@ -2,7 +2,7 @@
 
 use crate::error::{InvalidInput, Parameter, Requirement};
 use crate::pressure_sinkage::PressureSinkage;
-use crate::shear::JanosiHanamoto;
+use crate::shear::ShearLaw;
 
 /// Parameters of a soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,8 +11,8 @@ pub struct SoilParams {
     pub cohesion: f64,
     /// Internal friction angle φ (rad), from 0 up to π/2.
     pub friction_angle: f64,
-    /// Shear deformation modulus K (m), greater than 0.
-    pub shear_modulus: f64,
+    /// Shear law.
+    pub shear: ShearLaw,
     /// Pressure–sinkage law.
     pub pressure_sinkage: PressureSinkage,
 }
@@ -22,6 +22,8 @@ pub struct SoilParams {
 pub struct Soil {
     params: SoilParams,
     tan_friction: f64,
+    /// Reciprocal of the displacement by which the shear law scales (1/m).
+    per_shear_scale: f64,
 }
 
 impl Soil {
@@ -38,11 +40,11 @@ impl Soil {
                 params.friction_angle,
                 Requirement::FromUpTo { min: 0.0, limit: std::f64::consts::FRAC_PI_2 },
             ),
-            (Parameter::ShearModulus, params.shear_modulus, Requirement::Positive),
         ];
+        checks.extend(params.shear.requirements());
         checks.extend(params.pressure_sinkage.requirements());
         InvalidInput::check(&checks)?;
-        Ok(Self { params, tan_friction: params.friction_angle.tan() })
+        Ok(Self { params, tan_friction: params.friction_angle.tan(), per_shear_scale: 1.0 / params.shear.scale() })
     }
 
     /// Cohesion c (Pa).
@@ -63,8 +65,20 @@ impl Soil {
         &self.params.pressure_sinkage
     }
 
-    /// Law of the shear stress.
-    pub(crate) fn shear(&self) -> JanosiHanamoto {
-        JanosiHanamoto { per_modulus: 1.0 / self.params.shear_modulus }
+    /// Shear law.
+    #[must_use]
+    pub fn shear(&self) -> &ShearLaw {
+        &self.params.shear
+    }
+
+    /// E (–) at a shear displacement j (m). Eq. (6).
+    #[inline]
+    pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
+        self.params.shear.mobilisation(displacement * self.per_shear_scale)
+    }
+
+    /// Displacement (m) over which the shear law changes.
+    pub(crate) fn shear_scale(&self) -> f64 {
+        self.params.shear.scale()
     }
 }

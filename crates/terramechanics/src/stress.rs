@@ -8,7 +8,7 @@
 //! | (6) exponent of E | [`ContactPatch::shear_displacement`] |
 //!
 //! Departures: Eq. (3) holds ahead of the peak and Eq. (4) behind it, the other way round than printed (erratum 1); for (6)
-//! see `shear.rs`. All differences of circular functions are written as products, so that a light wheel on firm ground
+//! see `shear/`. All differences of circular functions are written as products, so that a light wheel on firm ground
 //! (z/r = 1e-6) keeps its digits.
 
 use crate::contact::{Angles, Contact};
@@ -204,10 +204,11 @@ impl ContactPatch<'_> {
                 + velocity_ratio * (point.excess + point.sin_half_arc * point.one_minus_cos_middle))
     }
 
-    /// E (–) at a place of the rim: −1 all along the contact of a locked wheel.
+    /// E (–) at a place of the rim: what an endless displacement leaves, turned, all along the contact of a locked wheel.
     #[inline]
     pub(crate) fn mobilisation(&self, point: &RimPoint) -> f64 {
-        if self.rolling.slip.is_locked() { -1.0 } else { self.rolling.system.soil.shear().mobilisation(self.displacement(point)) }
+        let soil = &self.rolling.system.soil;
+        if self.rolling.slip.is_locked() { -soil.shear().residual() } else { soil.mobilisation(self.displacement(point)) }
     }
 
     /// Shear displacement j (m) at `theta` (rad): 0 at the entry, not negative on a driving wheel, infinite on a locked one
@@ -250,12 +251,12 @@ impl ContactPatch<'_> {
         Stresses { normal, shear: self.mobilisation(point) * self.rolling.shear_strength(normal) }
     }
 
-    /// Arc (rad) behind the entry over which E changes e-fold: K/(dj/dδ) at the entry. Infinite on a locked wheel, whose E is
+    /// Arc (rad) behind the entry over which E changes: the displacement by which its law scales, over dj/dδ at the entry. Infinite on a locked wheel, whose E is
     /// constant.
     pub(crate) fn shear_layer(&self) -> f64 {
         let Rolling { velocity_ratio, system, slip, .. } = self.rolling;
         let growth = system.wheel.radius() * (1.0 - velocity_ratio * self.cos_entry).abs();
-        if slip.is_locked() { f64::INFINITY } else { 1.0 / (growth * system.soil.shear().per_modulus) }
+        if slip.is_locked() { f64::INFINITY } else { system.soil.shear_scale() / growth }
     }
 
     /// Arcs δ = θ1 − θ (rad) behind the entry, ascending, at which j changes sign: only on a braking wheel, at most two,

@@ -4,7 +4,7 @@ mod common;
 
 use common::{LETTER_SOIL, LETTER_WHEEL, contact, forces, letter, slip, system};
 use terramechanics::{
-    Angles, Contact, Forces, Lambda, Method, PeakDepth, PeakRule, ShapeIntegrals, StressProfile, WheelParams, lyasko_sinkage,
+    Angles, Contact, Forces, Lambda, Method, PeakDepth, PeakRule, ShapeIntegrals, SlipSinkage, StressProfile, WheelParams,
 };
 
 /// ∫ f over [from, to] by Simpson's rule, whose error here is far below the tolerances: an independent rule on purpose.
@@ -85,10 +85,9 @@ fn forces_grow_with_sinkage_and_traction_with_slip() {
 
 #[test]
 fn lyasko_at_sixty_percent_is_sixteen_sevenths() {
-    assert!((lyasko_sinkage(1.0, slip(0.6)) - 2.2857).abs() < 5e-5);
-    assert_eq!(lyasko_sinkage(0.01, slip(0.0)), 0.01);
-    assert_eq!(lyasko_sinkage(0.01, slip(1.0)), 0.04);
-    assert_eq!(lyasko_sinkage(0.01, slip(-1.0)), 0.0);
+    let sinkage = |ratio| SlipSinkage::Lyasko.sinkage(0.01, slip(ratio));
+    assert!((sinkage(0.6) - 0.022_857).abs() < 5e-7);
+    assert_eq!((sinkage(0.0), sinkage(1.0), sinkage(-1.0)), (0.01, 0.04, 0.0));
 }
 
 /// The letter's wheel and soil, smooth, exit at the lowest point, peak at the midpoint, by a program independent of this one

@@ -5,8 +5,8 @@ mod common;
 use common::{contact, slip, system};
 use proptest::prelude::*;
 use terramechanics::{
-    Bekker, Contact, Direct, ForceModel, Forces, Lambda, Method, PeakDepth, PeakRule, PressureSinkage, SinkageExponent,
-    SoilParams, StressProfile, WheelOnSoil, WheelParams,
+    Bekker, Contact, Direct, ForceModel, Forces, JanosiHanamoto, Lambda, Method, PeakDepth, PeakRule, PressureSinkage, ShearLaw,
+    SinkageExponent, SoilParams, StressProfile, WheelOnSoil, WheelParams,
 };
 
 /// Some tens of roundings.
@@ -58,9 +58,10 @@ prop_compose! {
         least_exponent in 0.1..1.8,
         slip_gain in prop_oneof![Just(0.0), 0.0..0.7],
     ) -> SoilParams {
-        let exponent = SinkageExponent { base: least_exponent + slip_gain, slip_gain }; // N > 0 down to s = −1
+        let exponent = SinkageExponent { base: least_exponent + slip_gain, slip_gain, skid_gain: None }; // N > 0 down to s = −1
         let pressure_sinkage = PressureSinkage::Direct(Direct { k_s: 10f64.powf(log_modulus), exponent });
-        SoilParams { cohesion, friction_angle, shear_modulus: 10f64.powf(log_shear_modulus), pressure_sinkage }
+        let shear = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 10f64.powf(log_shear_modulus) });
+        SoilParams { cohesion, friction_angle, shear, pressure_sinkage }
     }
 }
 
@@ -207,7 +208,8 @@ proptest! {
         let largest_normal = at_rest.sinkage_modulus() * case.sinkage().powf(at_rest.sinkage_exponent());
         let stress = case.soil.cohesion + largest_normal * (1.0 + case.soil.friction_angle.tan());
         let force = stress * span * system.wheel.shearing_radius() * case.wheel.width;
-        let change = 2.0 * step * (case.wheel.radius * span / case.soil.shear_modulus + 12.0) * force;
+        let ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus }) = case.soil.shear else { unreachable!("cases have that law") };
+        let change = 2.0 * step * (case.wheel.radius * span / modulus + 12.0) * force;
         for method in METHODS {
             let rolling = find(&system, 0.0, case.sinkage(), method);
             for ratio in [-step, step] {

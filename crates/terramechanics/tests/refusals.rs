@@ -4,8 +4,9 @@ mod common;
 
 use common::{LETTER_LAW, LETTER_SOIL, LETTER_WHEEL, contact, letter, slip, system};
 use terramechanics::{
-    Bekker, Contact, ContactParams, Error, Fault, ForceModel, InvalidInput, Lambda, Method, Operation, Parameter, PeakDepth,
-    PeakRule, PressureSinkage, Sinkage, SinkageExponent, Slip, SlipSweep, Soil, SoilParams, Wheel, WheelParams,
+    Bekker, Contact, ContactParams, Error, Fault, ForceModel, InvalidInput, JanosiHanamoto, Lambda, Method, Operation, Parameter,
+    PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SlipSweep, Soil, SoilParams, Wheel,
+    WheelParams, WongPeak, WongResidual,
 };
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -46,7 +47,17 @@ fn parameters_of_the_soil() {
         assert_eq!(at_fault(Soil::new(SoilParams { friction_angle: value, ..LETTER_SOIL })), [Parameter::FrictionAngle]);
     }
     for value in [0.0, -0.01].into_iter().chain(NOT_FINITE) {
-        assert_eq!(at_fault(Soil::new(SoilParams { shear_modulus: value, ..LETTER_SOIL })), [Parameter::ShearModulus]);
+        assert_eq!(
+            at_fault(Soil::new(SoilParams { shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: value }), ..LETTER_SOIL })),
+            [Parameter::ShearModulus]
+        );
+    }
+    for value in [0.0, -0.01].into_iter().chain(NOT_FINITE) {
+        let peak = ShearLaw::WongPeak(WongPeak { peak_displacement: value });
+        let residual = ShearLaw::WongResidual(WongResidual { residual_ratio: value, peak_displacement: value });
+        assert_eq!(at_fault(Soil::new(SoilParams { shear: peak, ..LETTER_SOIL })), [Parameter::PeakDisplacement]);
+        let both = [Parameter::ResidualRatio, Parameter::PeakDisplacement];
+        assert_eq!(at_fault(Soil::new(SoilParams { shear: residual, ..LETTER_SOIL })), both);
     }
     for value in NOT_FINITE {
         let law = PressureSinkage::Bekker(Bekker { k_phi: value, ..LETTER_LAW });
@@ -71,11 +82,20 @@ fn a_modulus_that_is_not_positive_on_this_wheel() {
 
 #[test]
 fn an_exponent_that_is_not_positive() {
-    let exponent = SinkageExponent { base: 0.5, slip_gain: 1.0 };
+    let exponent = SinkageExponent { base: 0.5, slip_gain: 1.0, skid_gain: None };
     let soil = SoilParams { pressure_sinkage: PressureSinkage::Bekker(Bekker { exponent, ..LETTER_LAW }), ..LETTER_SOIL };
     let system = system(LETTER_WHEEL, soil, Contact::MIDPOINT);
     assert_eq!(system.rolling(slip(-0.5)), Err(Error::ExponentNotPositive { exponent: 0.0 }));
     assert!(system.rolling(slip(-0.4)).is_ok());
+}
+
+/// With a skid gain of its own the exponent grows on both sides of rolling, continuously.
+#[test]
+fn a_skid_gain_replaces_the_slip_gain_at_negative_slip() {
+    let exponent = SinkageExponent { base: 1.46, slip_gain: 0.01, skid_gain: Some(0.74) };
+    for (ratio, expected) in [(0.5, 1.465), (0.0, 1.46), (-0.5, 1.83)] {
+        assert!((exponent.at(slip(ratio)) - expected).abs() < 1e-15);
+    }
 }
 
 #[test]

@@ -113,11 +113,11 @@ impl ForceModel {
     ///     soil: Soil::new(SoilParams {
     ///         cohesion: 0.0,
     ///         friction_angle: 0.478,
-    ///         shear_modulus: 0.005,
+    ///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
     ///         pressure_sinkage: PressureSinkage::Bekker(Bekker {
     ///             k_c: -660.0,
     ///             k_phi: 754_130.0,
-    ///             exponent: SinkageExponent { base: 0.91, slip_gain: 0.0 },
+    ///             exponent: SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None },
     ///         }),
     ///     })?,
     ///     contact: Contact::MIDPOINT,

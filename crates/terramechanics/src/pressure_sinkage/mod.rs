@@ -13,20 +13,26 @@ pub use reece::Reece;
 use crate::error::{Parameter, Requirement};
 use crate::slip::Slip;
 
-/// N = n0 + n1 s: the exponent of the sinkage, which grows with slip (letter, below Eq. 1; Ding et al. 2010).
+/// N = n0 + n1 s: the exponent of the sinkage, which grows with slip (letter, below Eq. 1; Ding et al. 2010), and with a gain of
+/// its own at negative slip where one was measured (Pavlov & Johnson 2024).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SinkageExponent {
     /// n0, the exponent without slip (–).
     pub base: f64,
     /// n1, its gain with slip (–); 0 where none was measured.
     pub slip_gain: f64,
+    /// n2, its gain with skid (–): N = n0 − n2 s at s < 0; where none was measured, n1 is applied there too.
+    pub skid_gain: Option<f64>,
 }
 
 impl SinkageExponent {
-    /// N at `slip` (–). Fitted to driving wheels; at s < 0 applied as written.
+    /// N at `slip` (–).
     #[must_use]
     pub fn at(&self, slip: Slip) -> f64 {
-        self.base + self.slip_gain * slip.ratio()
+        match self.skid_gain {
+            Some(skid_gain) if !slip.is_driving() => self.base - skid_gain * slip.ratio(),
+            _ => self.base + self.slip_gain * slip.ratio(),
+        }
     }
 }
 
@@ -95,8 +101,9 @@ impl PressureSinkage {
             }
             Self::Diameter(Diameter { k, m, .. }) => vec![(P::DiameterCoefficient, k, Finite), (P::DiameterExponent, m, Finite)],
         };
-        let SinkageExponent { base, slip_gain } = self.exponent();
+        let SinkageExponent { base, slip_gain, skid_gain } = self.exponent();
         checks.extend([(P::BaseExponent, base, Finite), (P::SlipGain, slip_gain, Finite)]);
+        checks.extend(skid_gain.map(|gain| (P::SkidGain, gain, Finite)));
         checks
     }
 }

@@ -3,18 +3,19 @@
 
 use serde_json::Value;
 use terramechanics::{
-    Bekker, Contact, ContactParams, Diameter, Direct, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth,
-    PeakRule, PressureSinkage, Reece, SinkageExponent, Slip, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams,
+    Bekker, Contact, ContactParams, Diameter, Direct, ForceModel, Forces, JanosiHanamoto, Lambda, Method, NormalStressRadius,
+    PeakDepth, PeakRule, PressureSinkage, Reece, ShearLaw, SinkageExponent, Slip, Soil, SoilParams, Wheel, WheelOnSoil,
+    WheelParams,
 };
 
 /// The letter's wheel and soil (its Fig. 1b), as parameters to vary.
 pub(crate) const LETTER_WHEEL: WheelParams = WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 };
 pub(crate) const LETTER_LAW: Bekker =
-    Bekker { k_c: -660.0, k_phi: 754_130.0, exponent: SinkageExponent { base: 0.91, slip_gain: 0.0 } };
+    Bekker { k_c: -660.0, k_phi: 754_130.0, exponent: SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None } };
 pub(crate) const LETTER_SOIL: SoilParams = SoilParams {
     cohesion: 0.0,
     friction_angle: 0.478,
-    shear_modulus: 0.005,
+    shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
     pressure_sinkage: PressureSinkage::Bekker(LETTER_LAW),
 };
 
@@ -58,7 +59,7 @@ fn number(object: &Value, name: &str, default: f64) -> f64 {
 pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
     let (wheel, soil, law, rule) = (&input["wheel"], &input["soil"], &input["soil"]["pressure_sinkage"], &input["contact"]);
     let required = |object: &Value, name: &str| number(object, name, f64::NAN);
-    let exponent = SinkageExponent { base: required(law, "n0"), slip_gain: number(law, "n1", 0.0) };
+    let exponent = SinkageExponent { base: required(law, "n0"), slip_gain: number(law, "n1", 0.0), skid_gain: None };
     let pressure_sinkage = match law["law"].as_str() {
         Some("bekker") => PressureSinkage::Bekker(Bekker { k_c: required(law, "k_c"), k_phi: required(law, "k_phi"), exponent }),
         Some("direct") => PressureSinkage::Direct(Direct { k_s: required(law, "k_s"), exponent }),
@@ -87,7 +88,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
         SoilParams {
             cohesion: required(soil, "cohesion_pa"),
             friction_angle: required(soil, "friction_angle_rad"),
-            shear_modulus: required(soil, "shear_modulus_m"),
+            shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: required(soil, "shear_modulus_m") }),
             pressure_sinkage,
         },
         contact(peak_rule, number(rule, "c3", 0.0)),
