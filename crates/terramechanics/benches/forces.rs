@@ -91,7 +91,8 @@ fn sweep_10001_given_sinkage(bencher: Bencher<'_, '_>, method: &str) {
 
 #[divan::bench]
 fn profile_201(bencher: Bencher<'_, '_>) {
-    let rolling = system().rolling(slip(0.2)).expect("a rolling wheel");
+    let system = system();
+    let rolling = system.rolling(slip(0.2)).expect("a rolling wheel");
     let patch = rolling.contact(0.02).expect("a contact");
     bencher.bench_local(|| StressProfile::of(black_box(&patch), 201, PeakDepth::Geometric));
 }

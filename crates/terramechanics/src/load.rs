@@ -44,7 +44,7 @@ impl ForceModel {
     /// # Errors
     /// [`Error::Invalid`] for a load not greater than 0; [`Error::LoadBeyondCapacity`] with the largest load the soil
     /// carries; [`Error::LoadNotBalanced`] with what was reached; what [`ForceModel::forces`] refuses.
-    pub fn solve_sinkage(&self, rolling: &Rolling, load: f64) -> Result<CarriedLoad, Error> {
+    pub fn solve_sinkage(&self, rolling: &Rolling<'_>, load: f64) -> Result<CarriedLoad, Error> {
         if !Requirement::Positive.holds(load) {
             return Err(Error::Invalid(Fault {
                 parameter: Parameter::NormalLoad,
@@ -73,7 +73,7 @@ impl ForceModel {
 
 struct Balance<'a> {
     model: &'a ForceModel,
-    rolling: &'a Rolling,
+    rolling: &'a Rolling<'a>,
     load: f64,
     /// 1/(N + 1/2).
     power: f64,

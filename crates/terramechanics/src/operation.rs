@@ -78,7 +78,7 @@ impl Operation {
     ///
     /// # Errors
     /// What [`ForceModel::solve_sinkage`] refuses.
-    pub fn sinkage_of(&self, rolling: &Rolling) -> Result<(f64, Option<Forces>), Error> {
+    pub fn sinkage_of(&self, rolling: &Rolling<'_>) -> Result<(f64, Option<Forces>), Error> {
         match self.sinkage {
             Sinkage::Given(sinkage) => Ok((sinkage, None)),
             Sinkage::FromStatic { static_sinkage, law } => Ok((law.sinkage(static_sinkage, rolling.slip), None)),

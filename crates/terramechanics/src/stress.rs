@@ -33,9 +33,9 @@ pub struct WheelOnSoil {
 
 /// A wheel on a soil at one slip: all that does not depend on the sinkage.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rolling {
+pub struct Rolling<'a> {
     /// The wheel, the soil and the rule of the contact.
-    pub system: WheelOnSoil,
+    pub system: &'a WheelOnSoil,
     /// The slip.
     pub slip: Slip,
     modulus: f64,
@@ -49,7 +49,7 @@ impl WheelOnSoil {
     ///
     /// # Errors
     /// [`Error::ExponentNotPositive`] and [`Error::ModulusNotPositive`].
-    pub fn rolling(&self, slip: Slip) -> Result<Rolling, Error> {
+    pub fn rolling(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
         let law = self.soil.pressure_sinkage();
         let exponent = law.exponent().at(slip);
         if exponent <= 0.0 {
@@ -65,11 +65,11 @@ impl WheelOnSoil {
             return Err(Error::ModulusNotPositive { modulus });
         }
         let (velocity_ratio, velocity_complement) = slip.velocity_ratio();
-        Ok(Rolling { system: *self, slip, modulus, exponent, velocity_ratio, velocity_complement })
+        Ok(Rolling { system: self, slip, modulus, exponent, velocity_ratio, velocity_complement })
     }
 }
 
-impl Rolling {
+impl Rolling<'_> {
     /// Sinkage modulus K_s (Pa/m^N).
     #[must_use]
     pub fn sinkage_modulus(&self) -> f64 {
@@ -118,7 +118,7 @@ impl Rolling {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactPatch<'a> {
     /// The wheel at its slip.
-    pub rolling: &'a Rolling,
+    pub rolling: &'a Rolling<'a>,
     /// Sinkage z (m).
     pub sinkage: f64,
     /// Characteristic angles.

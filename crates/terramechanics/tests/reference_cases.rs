@@ -49,7 +49,8 @@ fn check(text: &str, at_least: usize) {
     for (i, case) in cases.iter().enumerate() {
         let (input, expected) = (&case["input"], &case["expected"]);
         let name = format!("case {i} {}", case["name"].as_str().unwrap_or(""));
-        let rolling = system_of(input).rolling(slip(input["slip"].as_f64().expect("a slip"))).expect("a rolling wheel");
+        let system = system_of(input);
+        let rolling = system.rolling(slip(input["slip"].as_f64().expect("a slip"))).expect("a rolling wheel");
         let patch = rolling.contact(input["sinkage_m"].as_f64().expect("a sinkage")).expect("a contact");
         for (angle, field) in
             [(patch.angles.entry, "entry_rad"), (patch.angles.peak, "maximum_stress_rad"), (patch.angles.exit, "exit_rad")]

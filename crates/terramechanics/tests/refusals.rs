@@ -75,8 +75,8 @@ fn all_faults_are_named_at_once() {
 fn a_modulus_that_is_not_positive_on_this_wheel() {
     let law = PressureSinkage::Bekker(Bekker { k_c: -100_000.0, ..LETTER_LAW }); // positive only for b > 0.1326 m
     let soil = SoilParams { pressure_sinkage: law, ..LETTER_SOIL };
-    let refused = system(LETTER_WHEEL, soil, Contact::MIDPOINT).rolling(slip(0.2));
-    assert!(matches!(refused, Err(Error::ModulusNotPositive { modulus }) if modulus < 0.0));
+    let narrow = system(LETTER_WHEEL, soil, Contact::MIDPOINT);
+    assert!(matches!(narrow.rolling(slip(0.2)), Err(Error::ModulusNotPositive { modulus }) if modulus < 0.0));
     assert!(system(WheelParams { width: 0.2, ..LETTER_WHEEL }, soil, Contact::MIDPOINT).rolling(slip(0.2)).is_ok());
 }
 
@@ -107,7 +107,8 @@ fn slip_outside_its_range() {
 
 #[test]
 fn sinkage_outside_the_wheel() {
-    let rolling = letter().rolling(slip(0.2)).expect("a rolling wheel");
+    let system = letter();
+    let rolling = system.rolling(slip(0.2)).expect("a rolling wheel");
     for sinkage in [0.0, -0.01, 0.2 + 1e-12].into_iter().chain(NOT_FINITE) {
         assert!(matches!(rolling.contact(sinkage), Err(Error::SinkageOutsideWheel { .. })), "{sinkage}");
     }
@@ -123,7 +124,8 @@ fn a_peak_outside_the_contact() {
         (PeakRule::WongReece { c1: 0.2, c2: 0.0 }, 0.3),
         (PeakRule::HalfSinkage, 0.8),
     ] {
-        let rolling = system(LETTER_WHEEL, LETTER_SOIL, contact(rule, exit_ratio)).rolling(slip(0.3)).expect("a rolling wheel");
+        let system = system(LETTER_WHEEL, LETTER_SOIL, contact(rule, exit_ratio));
+        let rolling = system.rolling(slip(0.3)).expect("a rolling wheel");
         assert!(matches!(rolling.contact(0.02), Err(Error::PeakOutsideContact { .. })), "{rule:?}");
     }
     for exit_ratio in [-1.0 - 1e-9, 1.0].into_iter().chain(NOT_FINITE) {
@@ -133,7 +135,8 @@ fn a_peak_outside_the_contact() {
 
 #[test]
 fn a_load_that_is_none_or_beyond_what_the_soil_carries() {
-    let rolling = letter().rolling(slip(0.2)).expect("a rolling wheel");
+    let system = letter();
+    let rolling = system.rolling(slip(0.2)).expect("a rolling wheel");
     for method in [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT] {
         let model = ForceModel::at_rim(method);
         for load in [0.0, -1.0].into_iter().chain(NOT_FINITE) {
@@ -153,7 +156,8 @@ fn a_load_that_is_none_or_beyond_what_the_soil_carries() {
 
 #[test]
 fn a_lambda_that_is_not_finite() {
-    let rolling = letter().rolling(slip(0.2)).expect("a rolling wheel");
+    let system = letter();
+    let rolling = system.rolling(slip(0.2)).expect("a rolling wheel");
     let patch = rolling.contact(0.02).expect("a contact");
     for value in NOT_FINITE {
         let method = Method::Explicit { peak_depth: PeakDepth::Half, lambda_a: Lambda::Exact, lambda_b: Lambda::Given(value) };
@@ -166,8 +170,8 @@ fn a_lambda_that_is_not_finite() {
 fn a_result_that_overflows() {
     let law = PressureSinkage::Bekker(Bekker { k_phi: 1e308, ..LETTER_LAW });
     let soil = SoilParams { pressure_sinkage: law, friction_angle: 1.57, ..LETTER_SOIL };
-    let rolling =
-        system(WheelParams { width: 1e6, ..LETTER_WHEEL }, soil, Contact::MIDPOINT).rolling(slip(0.2)).expect("a wheel");
+    let system = system(WheelParams { width: 1e6, ..LETTER_WHEEL }, soil, Contact::MIDPOINT);
+    let rolling = system.rolling(slip(0.2)).expect("a rolling wheel");
     let patch = rolling.contact(0.2).expect("a contact");
     for method in [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT] {
         assert_eq!(ForceModel::at_rim(method).forces(&patch), Err(Error::NotFinite));
