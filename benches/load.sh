@@ -15,10 +15,11 @@ memory() { awk '/VmRSS/ {print $2}' "/proc/$1/status"; }
 
 # run LABEL URL SCRIPT PROGRAM [ARGUMENT …]
 run() {
-    local label=$1 url=$2 script=$3 server idle before after out
+    local label=$1 url=$2 script=$3 idle before after out
     shift 3
     taskset -c 0 "$@" > /dev/null 2>&1 &
     server=$!
+    trap 'kill $server 2> /dev/null' EXIT
     sleep 0.5
     idle=$(memory $server)
     taskset -c 1 wrk -t1 -c64 -d1s -s "$script" "$url" > /dev/null
@@ -33,6 +34,7 @@ run() {
               label, requests, p99, ticks / hz * 1e6 / requests, idle, end, bad }' <<< "$out"
     kill $server
     wait $server 2> /dev/null || true
+    trap - EXIT
 }
 
 for _ in 1 2 3; do

@@ -29,6 +29,11 @@ impl Cost {
         Self(points as f64 * (evaluation * evaluations + 500.0))
     }
 
+    /// Of `points` operating points by each of several methods.
+    pub(crate) fn of_comparison(operations: &[Operation], points: usize) -> Self {
+        Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())
+    }
+
     /// Of reading a request body of `bytes`.
     pub(crate) fn of_body(bytes: usize) -> Self {
         Self(bytes as f64 * 8.0)

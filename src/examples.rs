@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
-use crate::reply::{ForcesReply, ProfileReply, Reply, SweepReply, csv};
-use crate::request::{ForcesDto, ProfileDto, Request, SweepDto, checked};
+use crate::reply::{CompareReply, ForcesReply, ProfileReply, Reply, SweepReply, csv};
+use crate::request::{CompareDto, ForcesDto, ProfileDto, Request, SweepDto, checked};
 use crate::wire::read;
 
 /// Digits kept of a number in an example.
@@ -43,7 +43,7 @@ fn set_reply(operation: &mut utoipa::openapi::path::Operation, media_type: &str,
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 3] {
+fn bodies() -> [(&'static str, Value, Answer); 4] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -59,10 +59,20 @@ fn bodies() -> [(&'static str, Value, Answer); 3] {
         "wheel": {"preset": "letter", "lug_height_m": 0.01}, "soil": {"preset": "letter-sand"},
         "slip": {"from": 0, "to": 1, "points": 6}, "normal_load_n": 80, "method": "linearised"
     });
+    let compare = json!({
+        "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": [0.1, 0.3], "sinkage_m": 0.02,
+        "methods": ["quadrature", "linearised", "explicit"]
+    });
+    let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
     let sweep_reply = answer::<SweepDto, _>(&sweep, |query| Some(SweepReply::from(query)));
-    [("/v1/forces", forces, forces_reply), ("/v1/stress-profile", profile, profile_reply), ("/v1/slip-sweep", sweep, sweep_reply)]
+    [
+        ("/v1/forces", forces, forces_reply),
+        ("/v1/stress-profile", profile, profile_reply),
+        ("/v1/slip-sweep", sweep, sweep_reply),
+        ("/v1/compare", compare, compare_reply),
+    ]
 }
 
 /// What the service answers, as JSON and as a table.
@@ -70,9 +80,9 @@ fn answer<R: Request, T: Reply>(request: &Value, reply: impl Fn(&R::Query) -> Op
     let text = request.to_string();
     let query = read::<R>(text.as_bytes()).ok().and_then(|field| checked(&field).ok());
     let Some(reply) = query.and_then(|query| reply(&query)) else { return Vec::new() };
-    let columns: Vec<(&str, Vec<f64>)> =
+    let columns: Vec<(_, Vec<f64>)> =
         reply.columns().into_iter().map(|(name, column)| (name, column.iter().copied().map(rounded).collect())).collect();
-    let table: Vec<(&str, &[f64])> = columns.iter().map(|(name, column)| (*name, column.as_slice())).collect();
+    let table: Vec<_> = columns.iter().map(|(name, column)| (name.clone(), column.as_slice())).collect();
     let json = serde_json::to_value(&reply).map(with_rounded_numbers).unwrap_or_default();
     vec![("application/json", json), ("text/csv", csv(&table).into())]
 }

@@ -14,21 +14,12 @@ from itertools import product
 
 import schemathesis
 
+# Alternatives of which a request that has them all takes exactly one, whole.
 SINKAGE = (["sinkage_m"], ["static_sinkage_m"], ["normal_load_n"])
 SLIP = (["slip"], ["forward_velocity_m_s", "angular_velocity_rad_s"])
 
-# Of each schema: groups of alternatives, of each of which exactly one has to be given, whole.
-RULES = {
-    "ForcesRequest": (SINKAGE, SLIP),
-    "StressProfileRequest": (SINKAGE, SLIP),
-    "SlipSweepRequest": (SINKAGE,),
-}
-
-# Of each schema: what has to be given where no preset is named.
-WITHOUT_PRESET = {
-    "Wheel": ["radius_m", "width_m"],
-    "Soil": ["cohesion_pa", "friction_angle_rad", "shear_modulus_m", "pressure_sinkage"],
-}
+# Fields that have a meaning only beside another.
+BESIDE = {"slip_sinkage": "static_sinkage_m"}
 
 # How a refusal starts whose reason stands in the schema: a bound, a type, a word, a name, a field that is left out.
 IN_THE_SCHEMA = ("must be ", "must have ", "unknown name ", "unknown field", "is required")
@@ -39,29 +30,42 @@ NOT_PUBLISHED = "is required: the catalogue has no published value"
 @schemathesis.hook
 def before_load_schema(context, raw_schema):
     schemas = raw_schema["components"]["schemas"]
-    for name, groups in RULES.items():
-        schemas[name] = one_of([chosen(schemas[name], groups, choice) for choice in product(*groups)])
-    for name, fields in WITHOUT_PRESET.items():
-        schemas[name] = one_of(
-            [requiring(schemas[name], ["preset"]), requiring(schemas[name], fields, without=["preset"])]
-        )
+    for name, schema in schemas.items():
+        groups = [group for group in (SINKAGE, SLIP) if has(schema, sum(group, []))]
+        if groups:
+            schemas[name] = one_of(chosen(schema, groups, choice) for choice in product(*groups))
+    wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
+    schemas["Wheel"] = one_of(
+        [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
+    )
+    fields = ["cohesion_pa", "friction_angle_rad", "pressure_sinkage"]
+    with_modulus = requiring(soil, [*fields, "shear_modulus_m"], without=["preset"])
+    without_modulus = requiring(soil, [*fields, "shear"], without=["preset", "shear_modulus_m"])
+    without_modulus["properties"]["shear"] = one_of(
+        law for law in shear["oneOf"] if law["properties"]["law"]["enum"] != ["janosi_hanamoto"]
+    )
+    schemas["Soil"] = one_of([requiring(soil, ["preset"]), with_modulus, without_modulus])
+
+
+def has(schema, fields):
+    return all(field in schema.get("properties", {}) for field in fields)
 
 
 def one_of(variants):
-    return {"oneOf": variants}
+    return {"oneOf": list(variants)}
 
 
 def chosen(schema, groups, choice):
     """The schema with one alternative of each group required and the others gone."""
     given = [field for alternative in choice for field in alternative]
     others = [field for group in groups for alternative in group for field in alternative if field not in given]
-    return requiring(schema, given, others)
+    lonely = [field for field, other in BESIDE.items() if has(schema, [field]) and other not in given]
+    return requiring(schema, given, [*others, *lonely])
 
 
 def requiring(schema, fields, without=()):
     assert schema["additionalProperties"] is False, "only then is a field that is not listed refused"
-    missing = [field for field in [*fields, *without] if field not in schema["properties"]]
-    assert not missing, f"the contract has no {missing}"
+    assert has(schema, [*fields, *without]), f"the contract lacks some of {fields} and {without}"
     variant = deepcopy(schema)
     variant["required"] = [*schema.get("required", []), *fields]
     variant["properties"] = {name: of for name, of in variant["properties"].items() if name not in without}

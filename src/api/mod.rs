@@ -1,6 +1,7 @@
 //! The operations of the API: each takes a checked request and returns an answer or a problem.
 
 mod catalogue;
+mod compare;
 mod forces;
 mod model;
 mod operations;
@@ -19,6 +20,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(forces::forces))
         .routes(routes!(stress_profile::stress_profile))
         .routes(routes!(slip_sweep::slip_sweep))
+        .routes(routes!(compare::compare))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

@@ -1,5 +1,7 @@
 //! The answer of `/v1/forces`.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 use terramechanics::{Error, Method, cautions};
 use utoipa::ToSchema;
@@ -128,8 +130,8 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
 }
 
 impl Reply for ForcesReply {
-    fn columns(&self) -> Vec<(&'static str, &[f64])> {
-        COLUMNS.into_iter().zip(self.row.chunks(1)).collect()
+    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
+        COLUMNS.map(Cow::from).into_iter().zip(self.row.chunks(1)).collect()
     }
 
     fn warnings(&self) -> &[Warning] {

@@ -1,15 +1,18 @@
 //! Answers as they stand on the wire, made from what the model returns.
 
+mod compare;
 mod forces;
 mod slip_sweep;
 mod stress_profile;
 mod warning;
 
+pub(crate) use compare::CompareReply;
 pub(crate) use forces::ForcesReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;
 pub(crate) use warning::Warning;
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use serde::ser::SerializeSeq;
@@ -20,7 +23,7 @@ use utoipa::ToSchema;
 /// An answer that can also be written as a table.
 pub(crate) trait Reply: Serialize {
     /// The columns by name, all of one length; NaN where there is no value.
-    fn columns(&self) -> Vec<(&'static str, &[f64])>;
+    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])>;
 
     /// What else there is to say.
     fn warnings(&self) -> &[Warning];
@@ -41,8 +44,8 @@ impl Serialize for Column {
 }
 
 /// The table of a reply: a header row with the names of the columns, then a row per point; an empty cell for no value.
-pub(crate) fn csv(columns: &[(&'static str, &[f64])]) -> String {
-    let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+pub(crate) fn csv(columns: &[(Cow<'static, str>, &[f64])]) -> String {
+    let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_ref()).collect();
     let rows = columns.first().map_or(0, |(_, column)| column.len());
     let mut text = String::with_capacity((rows + 1) * columns.len() * 20);
     text.push_str(&names.join(","));
@@ -86,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_table_has_names_rows_and_empty_cells() {
-        let text = csv(&[("slip", &[0.0, 0.1]), ("torque_n_m", &[f64::NAN, 1e-7])]);
+        let text = csv(&[("slip".into(), &[0.0, 0.1]), ("torque_n_m".into(), &[f64::NAN, 1e-7])]);
         assert_eq!(text, "slip,torque_n_m\n0.0,\n0.1,1e-7\n");
     }
 

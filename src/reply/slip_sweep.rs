@@ -1,5 +1,6 @@
 //! The answer of `/v1/slip-sweep`.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -16,14 +17,14 @@ use crate::request::{SweepQuery, error_pointer};
 #[schema(as = SlipSweep)]
 pub(crate) struct SweepReply {
     /// The method by which the forces were found.
-    method: &'static str,
-    columns: SweepColumns,
-    warnings: Vec<Warning>,
+    pub(super) method: &'static str,
+    pub(super) columns: SweepColumns,
+    pub(super) warnings: Vec<Warning>,
 }
 
 /// Columns of one length; null where a point has no solution or a coefficient is undefined.
 #[derive(Debug, Serialize, ToSchema)]
-struct SweepColumns {
+pub(super) struct SweepColumns {
     /// Slip ratio s (–).
     #[schema(value_type = Vec<f64>)]
     slip: Column,
@@ -69,22 +70,24 @@ impl From<&SweepQuery> for SweepReply {
         warnings.extend(least.into_iter().flat_map(|slip| cautions(operation, slip, None)).map(Warning::from));
         let estimate = sweep.integration_error.iter().copied().fold(0.0, f64::max);
         warnings.extend(terramechanics::Caution::of_integration(estimate).map(Warning::from));
+        Self { method: method_name(&operation.model.method), columns: sweep.into(), warnings }
+    }
+}
+
+impl From<SlipSweep> for SweepColumns {
+    fn from(sweep: SlipSweep) -> Self {
         Self {
-            method: method_name(&operation.model.method),
-            columns: SweepColumns {
-                slip: Column(sweep.slip),
-                sinkage_m: Column(sweep.sinkage),
-                longitudinal_force_n: Column(sweep.longitudinal),
-                normal_force_n: Column(sweep.normal),
-                torque_n_m: Column(sweep.torque),
-                traction_n: Column(sweep.traction),
-                resistance_n: Column(sweep.resistance),
-                normal_support_n: Column(sweep.normal_support),
-                shear_support_n: Column(sweep.shear_support),
-                drawbar_coefficient: Column(sweep.drawbar_coefficient),
-                tractive_efficiency: Column(sweep.tractive_efficiency),
-            },
-            warnings,
+            slip: Column(sweep.slip),
+            sinkage_m: Column(sweep.sinkage),
+            longitudinal_force_n: Column(sweep.longitudinal),
+            normal_force_n: Column(sweep.normal),
+            torque_n_m: Column(sweep.torque),
+            traction_n: Column(sweep.traction),
+            resistance_n: Column(sweep.resistance),
+            normal_support_n: Column(sweep.normal_support),
+            shear_support_n: Column(sweep.shear_support),
+            drawbar_coefficient: Column(sweep.drawbar_coefficient),
+            tractive_efficiency: Column(sweep.tractive_efficiency),
         }
     }
 }
@@ -109,23 +112,29 @@ fn gap_warnings(sweep: &SlipSweep, pointer: impl Fn(&Error) -> &'static str) -> 
     by_field.iter().map(warning).collect()
 }
 
-impl Reply for SweepReply {
-    fn columns(&self) -> Vec<(&'static str, &[f64])> {
-        let c = &self.columns;
+impl SweepColumns {
+    /// The columns by name.
+    pub(super) fn named(&self) -> [(&'static str, &[f64]); COLUMNS.len()] {
         let columns = [
-            &c.slip,
-            &c.sinkage_m,
-            &c.longitudinal_force_n,
-            &c.normal_force_n,
-            &c.torque_n_m,
-            &c.traction_n,
-            &c.resistance_n,
-            &c.normal_support_n,
-            &c.shear_support_n,
-            &c.drawbar_coefficient,
-            &c.tractive_efficiency,
+            &self.slip,
+            &self.sinkage_m,
+            &self.longitudinal_force_n,
+            &self.normal_force_n,
+            &self.torque_n_m,
+            &self.traction_n,
+            &self.resistance_n,
+            &self.normal_support_n,
+            &self.shear_support_n,
+            &self.drawbar_coefficient,
+            &self.tractive_efficiency,
         ];
-        COLUMNS.into_iter().zip(columns.map(|column| column.0.as_slice())).collect()
+        std::array::from_fn(|i| (COLUMNS[i], columns[i].0.as_slice()))
+    }
+}
+
+impl Reply for SweepReply {
+    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
+        self.columns.named().into_iter().map(|(name, column)| (name.into(), column)).collect()
     }
 
     fn warnings(&self) -> &[Warning] {

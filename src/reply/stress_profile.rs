@@ -1,5 +1,7 @@
 //! The answer of `/v1/stress-profile`.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 use terramechanics::{Error, Heading, StressProfile, cautions};
 use utoipa::ToSchema;
@@ -97,15 +99,15 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
 }
 
 impl Reply for ProfileReply {
-    fn columns(&self) -> Vec<(&'static str, &[f64])> {
+    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
         let columns = &self.columns;
         vec![
-            ("theta_rad", &columns.theta_rad.0),
-            ("sinkage_m", &columns.sinkage_m.0),
-            ("normal_stress_pa", &columns.normal_stress_pa.0),
-            ("shear_stress_pa", &columns.shear_stress_pa.0),
-            ("normal_stress_linear_pa", &columns.normal_stress_linear_pa.0),
-            ("shear_stress_linear_pa", &columns.shear_stress_linear_pa.0),
+            ("theta_rad".into(), &columns.theta_rad.0),
+            ("sinkage_m".into(), &columns.sinkage_m.0),
+            ("normal_stress_pa".into(), &columns.normal_stress_pa.0),
+            ("shear_stress_pa".into(), &columns.shear_stress_pa.0),
+            ("normal_stress_linear_pa".into(), &columns.normal_stress_linear_pa.0),
+            ("shear_stress_linear_pa".into(), &columns.shear_stress_linear_pa.0),
         ]
     }
 

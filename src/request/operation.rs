@@ -34,6 +34,8 @@ pub(super) const METHOD: Choice = Choice {
     words: || vec!["quadrature", "linearised", "explicit"],
     default: Some("quadrature"),
 };
+pub(super) const METHOD_OF_SEVERAL: Choice =
+    Choice { doc: "quadrature, linearised or explicit.", words: METHOD.words, default: None };
 pub(super) const NORMAL_STRESS_RADIUS: Choice = Choice {
     doc: "Radius at which the normal stress acts: the rim r, or the shearing radius r_s.",
     words: || vec!["rim", "shearing"],
@@ -193,7 +195,7 @@ impl OperationEntries<'_> {
 }
 
 impl MethodEntries<'_> {
-    fn check(&self, place: &Scope<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
+    pub(super) fn check(&self, place: &Scope<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
         let lambda = |entry: &Entry<'_, Lambda>| -> Option<terramechanics::Lambda> {
             if !entry.is_present() {
                 return Some(terramechanics::Lambda::Given(0.0));

@@ -126,7 +126,7 @@ fn bounded_numbers(
 
 /// A request around the field in which both its bounds are physically possible.
 fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
-    let sweep = path == "/v1/slip-sweep";
+    let sweep = path == "/v1/slip-sweep" || path == "/v1/compare";
     let slip = |slip: f64| if sweep { json!({"from": slip, "to": slip, "points": 2}) } else { json!(slip) };
     let mut body = with(&letter(), json!({"slip": slip(0.0)}));
     let law_of = |object: &str| field.variants.iter().find(|(pointer, _, _)| pointer == object).map(|(_, _, law)| law.as_str());
@@ -175,6 +175,7 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         "/slip/to" => json!({"slip": {"from": 0, "points": 3}}),
         "/slip/points" => json!({"slip": {"from": 0, "to": 1}}),
         "/slip/0" => json!({"slip": [0, 0.1]}),
+        "/lambda_a" | "/lambda_b" if path == "/v1/compare" => json!({"methods": ["explicit"]}),
         "/lambda_a" | "/lambda_b" => json!({"method": "explicit"}),
         _ => json!({}),
     };

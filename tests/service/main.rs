@@ -2,6 +2,7 @@
 
 mod asking;
 mod catalogue;
+mod compare;
 mod contract;
 mod documents;
 mod forces;
