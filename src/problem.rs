@@ -69,9 +69,11 @@ pub(crate) struct ProblemBody {
     errors: Vec<FieldFault>,
     /// For a body that is not JSON: line of the fault, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     line: Option<usize>,
     /// For a body that is not JSON: column of the fault.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     column: Option<usize>,
 }
 
