@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use axum::response::Response;
 use serde::{Deserialize, Serialize};
+use terramechanics::{Caution, CautionKind};
 use utoipa::ToSchema;
 
 use super::responses::Limits;
@@ -91,10 +92,41 @@ struct Erratum {
 struct WarningNote {
     code: String,
     meaning: String,
+    /// The quantity that leaves its range, with its unit, where the warning is about one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    quantity: Option<String>,
+    /// Lower end of the range.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    lower: Option<f64>,
+    /// Upper end of the range.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    upper: Option<f64>,
+    /// Where the range comes from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    source: Option<String>,
+}
+
+impl From<&CautionKind> for WarningNote {
+    fn from(kind: &CautionKind) -> Self {
+        Self {
+            code: kind.code.into(),
+            meaning: kind.meaning.into(),
+            quantity: Some(kind.quantity.into()),
+            lower: kind.lower,
+            upper: kind.upper,
+            source: Some(kind.source.into()),
+        }
+    }
 }
 
 static TEXT: LazyLock<String> = LazyLock::new(|| {
-    let model: Model = serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    let mut model: Model =
+        serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    model.warnings.splice(0..0, Caution::KINDS.into_iter().map(WarningNote::from));
     serde_json::to_string_pretty(&model).unwrap_or_default()
 });
 
@@ -123,14 +155,11 @@ mod tests {
             assert!(model.equations.iter().any(|equation| equation.letter.contains(&number)), "equation {number}");
         }
         let codes: Vec<&str> = model.warnings.iter().map(|warning| warning.code.as_str()).collect();
-        for code in [
-            "slip_gain_extrapolated",
-            "slip_sinkage_extrapolated",
-            "integration_error",
-            "mirrored",
-            "no_solution",
-            "points_raised",
-        ] {
+        let mut distinct = codes.clone();
+        distinct.sort_unstable();
+        distinct.dedup();
+        assert_eq!(distinct.len(), codes.len(), "each code is listed once");
+        for code in ["mirrored", "no_solution", "points_raised"] {
             assert!(codes.contains(&code), "{code}");
         }
     }

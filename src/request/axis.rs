@@ -7,15 +7,15 @@ use utoipa::openapi::{RefOr, Schema};
 
 use crate::wire::{Entry, Field, Nested, Number, Object, Scope, Spec, Wire, wire_object};
 
-const SLIP: Number = Number::new("Slip ratio s (–).", -1.0, 1.0);
+const SLIP: Number = Number::new("Slip ratio s (–).", -1.0, 1.0).share();
 const FEWEST: usize = 2;
 const MOST: usize = 10_001;
 
 wire_object! {
     /// Equally spaced slips, both ends included.
     SlipRangeDto as "SlipRange" {
-        from: f64 = Number::new("First slip (–).", -1.0, 1.0).required(),
-        to: f64 = Number::new("Last slip (–).", -1.0, 1.0).required(),
+        from: f64 = Number::new("First slip (–).", -1.0, 1.0).share().required(),
+        to: f64 = Number::new("Last slip (–).", -1.0, 1.0).share().required(),
         points: f64 = Number::new("Number of slips.", FEWEST as f64, MOST as f64).integer().required(),
     }
 }

@@ -22,7 +22,7 @@ pub(super) const FORWARD_VELOCITY: Number =
 pub(super) const ANGULAR_VELOCITY: Number =
     Number::new("Angular velocity ω of the wheel (rad/s), positive when it rolls forward.", -1e4, 1e4);
 pub(super) const SLIP: Number =
-    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0);
+    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0).share();
 pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0);
 pub(super) const STATIC_SINKAGE: Number =
     Number::new("Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", 1e-9, 100.0);
@@ -75,7 +75,7 @@ wire_object! {
 impl SlipSinkageDto {
     fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));
         let [gain] = numbers_of(law, &[self.gain()], place);
         Some(match law?.name {
@@ -299,5 +299,12 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
 
 /// A refusal of the model as a fault of the request.
 pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
-    FieldFault { pointer: error_pointer(error, sinkage).to_owned(), detail: error.to_string() }
+    let pointer = error_pointer(error, sinkage).to_owned();
+    let detail = match (error, sinkage) {
+        (Error::SinkageOutsideWheel { .. }, Sinkage::FromStatic { .. }) => {
+            format!("by the slip–sinkage law at this slip, {error}")
+        }
+        _ => error.to_string(),
+    };
+    FieldFault { pointer, detail }
 }

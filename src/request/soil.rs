@@ -17,7 +17,7 @@ wire_object! {
     SoilDto as "Soil" {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
-        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above(),
+        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle(),
         shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
         lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); the shear law's own length unless given or in the catalogue.", 1e-6, 10.0),
@@ -123,7 +123,7 @@ impl ShearDto {
     /// The law, or none for the one that takes the soil's own modulus; nothing where something was reported.
     fn check(&self, place: &Scope<'_>) -> Option<Option<ShearLaw>> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SHEAR_LAWS, word));
         let [residual_ratio, peak_displacement] = numbers_of(law, &[self.residual_ratio(), self.peak_displacement_m()], place);
         Some(match law?.name {
@@ -172,7 +172,7 @@ wire_object! {
 impl PressureSinkageDto {
     fn check(&self, place: &Scope<'_>) -> Option<PressureSinkage> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(LAWS, word));
         let parameters =
             [self.k_c(), self.k_phi(), self.k_s(), self.unit_weight_n_m3(), self.k(), self.m(), self.n0(), self.n1(), self.n2()];

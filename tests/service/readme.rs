@@ -28,6 +28,7 @@ fn the_first_request_has_the_answer_shown() {
     for name in ["longitudinal_force_n", "normal_force_n", "torque_n_m", "drawbar_coefficient", "tractive_efficiency"] {
         assert!(close(&shown[name], &answer[name]), "{name}");
     }
+    assert_eq!(shown["warnings"], answer["warnings"]);
     let names = |value: &Value| value.as_object().expect("an object").keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&shown), names(&answer));
 }

@@ -152,7 +152,7 @@ impl Balance<'_> {
         let radius = self.rolling.system.wheel.radius();
         let stride = radius / f64::from(CAPACITY_SAMPLES);
         let mut before = Sample { x: 0.0, y: -self.level };
-        let mut largest = before;
+        let mut largest = Sample { x: radius, y: f64::NEG_INFINITY };
         for i in 1..=CAPACITY_SAMPLES {
             let here = self.sample((stride * f64::from(i)).min(radius))?;
             if here.y >= 0.0 {
