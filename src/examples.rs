@@ -3,6 +3,7 @@
 //! Numbers of replies are rounded, so that the document does not depend on the last bit of a machine's library.
 
 use serde_json::{Value, json};
+use utoipa::openapi::path::ParameterBuilder;
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
@@ -15,15 +16,21 @@ const DIGITS: i32 = 6;
 
 /// Puts an example of request and reply at every operation that has a body, and of the reply at the catalogue's.
 pub(crate) fn attach(document: &mut OpenApi) {
-    for (path, request, answer) in bodies() {
+    for (path, example, answer) in bodies() {
         let Some(operation) = document.paths.paths.get_mut(path).and_then(|item| item.post.as_mut()) else { continue };
         if let Some(RefOr::T(body)) = operation.request_body.as_mut()
             && let Some(RefOr::T(content)) = body.content.get_mut("application/json")
         {
-            content.example = Some(request);
+            content.example = Some(example.clone());
         }
-        for (media_type, example) in answer {
-            set_reply(operation, media_type, example);
+        for (media_type, example) in &answer {
+            set_reply(operation, media_type, example.clone());
+        }
+        if let Some(twin) = document.paths.paths.get_mut(path).and_then(|item| item.get.as_mut()) {
+            set_parameters(twin, &example);
+            for (media_type, example) in answer {
+                set_reply(twin, media_type, example);
+            }
         }
     }
     for (path, example) in catalogue_replies() {
@@ -38,6 +45,17 @@ fn set_reply(operation: &mut utoipa::openapi::path::Operation, media_type: &str,
         && let Some(RefOr::T(content)) = response.content.get_mut(media_type)
     {
         content.example = Some(example);
+    }
+}
+
+/// Puts what the example of a body has at the parameters of its twin.
+fn set_parameters(operation: &mut utoipa::openapi::path::Operation, body: &Value) {
+    for parameter in operation.parameters.iter_mut().flatten() {
+        let RefOr::T(parameter) = parameter else { continue };
+        let pointer = format!("/{}", parameter.name.replace('.', "/"));
+        if let Some(value) = body.pointer(&pointer) {
+            *parameter = ParameterBuilder::from(parameter.clone()).example(Some(value.clone())).build();
+        }
     }
 }
 

@@ -17,9 +17,9 @@ use crate::app::Service;
 /// All routes that the contract documents.
 pub(crate) fn routes() -> OpenApiRouter<Service> {
     OpenApiRouter::new()
-        .routes(routes!(forces::forces))
-        .routes(routes!(stress_profile::stress_profile))
-        .routes(routes!(slip_sweep::slip_sweep))
+        .routes(routes!(forces::forces, forces::forces_of_query))
+        .routes(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
+        .routes(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .routes(routes!(compare::compare))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))

@@ -25,20 +25,34 @@ fn problems(list: Vec<(Problem, &str)>) -> BTreeMap<String, RefOr<Response>> {
         .collect()
 }
 
+/// A refusal, for example.
+fn refused() -> Problem {
+    let pointer = "/soil/cohesion_pa".into();
+    Problem::Invalid(vec![FieldFault { pointer, detail: "must be from 0 to 100000000, not -5".into() }])
+}
+
 /// What can be wrong with a body.
 pub(super) struct InvalidBody;
 
 impl IntoResponses for InvalidBody {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
         let not_json = Problem::NotJson { detail: "expected `,` or `}` at line 1 column 24".into(), line: 1, column: 24 };
-        let negative = FieldFault { pointer: "/soil/cohesion_pa".into(), detail: "must be from 0 to 100000000, not -5".into() };
         problems(vec![
             (not_json, "The body is not JSON; line and column of the fault"),
             (Problem::SlowBody(Duration::from_secs(10)), "The body did not arrive in time"),
             (Problem::TooLarge { limit: 1 << 20 }, "The body is too large"),
             (Problem::NotJsonType, "The body is not declared as JSON"),
-            (Problem::Invalid(vec![negative]), "The request cannot be computed; every fault with a JSON pointer"),
+            (refused(), "The request cannot be computed; every fault with a JSON pointer"),
         ])
+    }
+}
+
+/// What can be wrong with a query.
+pub(super) struct InvalidQuery;
+
+impl IntoResponses for InvalidQuery {
+    fn responses() -> BTreeMap<String, RefOr<Response>> {
+        problems(vec![(refused(), "The request cannot be computed; every fault with a JSON pointer")])
     }
 }
 

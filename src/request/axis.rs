@@ -2,6 +2,7 @@
 
 use serde::de::{IgnoredAny, MapAccess, SeqAccess};
 use terramechanics::Slip;
+use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{ArrayBuilder, OneOfBuilder};
 use utoipa::openapi::{RefOr, Schema};
 
@@ -40,6 +41,10 @@ impl Spec for SlipAxisSpec {
 
     fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
         RANGE.schemas(found);
+    }
+
+    fn parameters(&self, name: &str, found: &mut Vec<Parameter>) {
+        RANGE.parameters(name, found);
     }
 
     fn is_required(&self) -> bool {

@@ -152,3 +152,20 @@ pub(crate) fn table(text: &str) -> Vec<(String, Vec<Option<f64>>)> {
     }
     columns
 }
+
+/// A body as a query with dotted names.
+pub(crate) fn query_of(body: &Value) -> String {
+    fn add(value: &Value, name: &str, pairs: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => {
+                let around = if name.is_empty() { String::new() } else { format!("{name}.") };
+                fields.iter().for_each(|(field, value)| add(value, &format!("{around}{field}"), pairs));
+            }
+            Value::String(text) => pairs.push(format!("{name}={text}")),
+            other => pairs.push(format!("{name}={other}")),
+        }
+    }
+    let mut pairs = Vec::new();
+    add(body, "", &mut pairs);
+    pairs.join("&")
+}

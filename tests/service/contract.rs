@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{get, letter, post, with};
+use crate::asking::{get, letter, post, query_of, with};
 use crate::documents::{document, operations};
 
 /// Whether `value` has the shape that the document gives to a schema.
@@ -33,6 +33,17 @@ fn numbers_agree(example: &Value, reply: &Value, at: &str) {
     }
 }
 
+/// The query that the examples of an operation's parameters make, with its question mark.
+fn example_query(operation: &Value) -> String {
+    let parameters = operation["parameters"].as_array().into_iter().flatten();
+    let given = parameters.filter(|parameter| parameter["in"] == "query" && parameter.get("example").is_some());
+    let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    let pairs: Vec<String> = given
+        .map(|parameter| format!("{}={}", parameter["name"].as_str().expect("a name"), text(&parameter["example"])))
+        .collect();
+    if pairs.is_empty() { String::new() } else { format!("?{}", pairs.join("&")) }
+}
+
 #[test]
 fn every_example_is_answered_as_documented() {
     let document = document();
@@ -52,11 +63,14 @@ fn every_example_is_answered_as_documented() {
             assert_eq!(table.lines().count(), example.lines().count(), "{path}");
             run += 1;
         } else if documented.is_object() {
-            let path = path.replace("{id}", if path.contains("wheels") { "letter" } else { "letter-sand" });
-            let reply = get(&path).ok();
+            let named = path.replace("{id}", if path.contains("wheels") { "letter" } else { "letter-sand" });
+            let reply = get(&format!("{named}{}", example_query(&operation))).ok();
             has_shape(&document, &documented["schema"], &reply);
             if documented["example"].is_object() {
                 has_shape(&document, &documented["schema"], &documented["example"]);
+            }
+            if operation.get("parameters").is_some() && path == named {
+                numbers_agree(&documented["example"], &reply, &path);
             }
             run += 1;
         }
@@ -229,6 +243,10 @@ fn every_numeric_bound_is_enforced_just_outside_and_accepted_on_the_edge() {
             {
                 let body = surroundings(&path, field, value);
                 let answer = post(&path, &body);
+                if document["paths"][&path].get("get").is_some() && !field.pointer.ends_with("/0") {
+                    let twin = get(&format!("{path}?{}", query_of(&body)));
+                    assert_eq!((twin.status, &twin.text), (answer.status, &answer.text), "{path}?{}", query_of(&body));
+                }
                 let place = format!("{path} {} = {value:e} in {body}", field.pointer);
                 if accepted {
                     assert_eq!(answer.status, 200, "{place}: {}", answer.text);

@@ -8,6 +8,7 @@ mod documents;
 mod forces;
 mod page;
 mod problems;
+mod query;
 mod readme;
 mod server;
 mod slip_sweep;
