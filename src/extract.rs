@@ -5,6 +5,7 @@ use axum::extract::{FromRequest, FromRequestParts};
 use axum::http::header::{ACCEPT, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, Request};
+use serde::de::value::MapDeserializer;
 
 use crate::app::Service;
 use crate::compute::Cost;
@@ -35,6 +36,21 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
             Ok(Ok(body)) => body,
         };
         service.pool().run(Cost::of_body(body.len()), move || query::<R>(&body)).await.map(Self)
+    }
+}
+
+/// The query of a URI that was read and checked: the fields of an object, each a word.
+pub(crate) struct Asked<R: request::Request>(pub(crate) R::Query);
+
+impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        let pairs = form_urlencoded::parse(parts.uri.query().unwrap_or("").as_bytes());
+        let object = R::object(MapDeserializer::<_, serde::de::value::Error>::new(pairs));
+        // Pairs of words are always an object; what is wrong with them is kept in it and reported by the check.
+        let field = object.ok().flatten().map_or(wire::Field::Absent, wire::Field::Given);
+        checked(&field).map(Self).map_err(Problem::Invalid)
     }
 }
 

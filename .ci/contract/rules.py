@@ -76,7 +76,7 @@ def requiring(schema, fields, without=()):
 def before_call(context, case, kwargs):
     """Asks for the table instead of JSON in half of the requests that offer it, the same half in every run."""
     answers = case.operation.definition.raw.get("responses", {}).get("200", {}).get("content", {})
-    if "text/csv" in answers and len(json.dumps(case.body, default=str)) % 2:
+    if "text/csv" in answers and len(json.dumps(asked(case), default=str)) % 2:
         case.headers = {**(case.headers or {}), "Accept": "text/csv"}
 
 
@@ -100,7 +100,12 @@ def a_problem_tells_the_truth(ctx, response, case):
     if response.status_code == 422:
         assert problem["errors"], "a refusal names no fault"
     for fault in problem.get("errors", []):
-        assert leads_somewhere(fault["pointer"], case.body), f"{fault['pointer']} does not exist in the request"
+        assert leads_somewhere(fault["pointer"], asked(case)), f"{fault['pointer']} does not exist in the request"
+
+
+def asked(case):
+    """The object that a request sends: its body, or its query where it has none."""
+    return case.body if case.method == "POST" else dict(case.query or {})
 
 
 def leads_somewhere(pointer, body):

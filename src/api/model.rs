@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 use super::responses::Limits;
+use crate::catalogue::{self, Gravity};
 use crate::compute::json_text;
 
 /// What the service computes.
@@ -29,6 +30,9 @@ pub(crate) struct Model {
     refusals: Vec<String>,
     /// The warnings that results may carry.
     warnings: Vec<WarningNote>,
+    /// Gravity of the bodies where wheels roll, for loads and unit weights.
+    #[serde(default)]
+    gravity: Vec<Gravity>,
     /// The papers named.
     references: Vec<String>,
 }
@@ -94,14 +98,16 @@ struct WarningNote {
 }
 
 static TEXT: LazyLock<String> = LazyLock::new(|| {
-    let model: Model = serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    let mut model: Model =
+        serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    model.gravity = catalogue::gravity().to_vec();
     serde_json::to_string_pretty(&model).unwrap_or_default()
 });
 
 /// The equations as implemented, and the errata
 ///
-/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, and where the letter as
-/// printed is not what is computed.
+/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, gravity, and where the
+/// letter as printed is not what is computed.
 #[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), Limits))]
 pub(crate) async fn model() -> Response {
     json_text(TEXT.as_str())
@@ -124,6 +130,7 @@ mod tests {
         }
         let codes: Vec<&str> = model.warnings.iter().map(|warning| warning.code.as_str()).collect();
         for code in [
+            "lug_height_assumed",
             "slip_gain_extrapolated",
             "slip_sinkage_extrapolated",
             "integration_error",

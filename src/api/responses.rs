@@ -33,6 +33,15 @@ impl IntoResponses for InvalidBody {
     }
 }
 
+/// What can be wrong with a query.
+pub(super) struct InvalidQuery;
+
+impl IntoResponses for InvalidQuery {
+    fn responses() -> BTreeMap<String, RefOr<Response>> {
+        problems(&[("422", "The query cannot be answered; every fault with a pointer to its parameter")])
+    }
+}
+
 /// What the service's limits can bring about.
 pub(super) struct Limits;
 

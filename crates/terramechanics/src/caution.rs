@@ -9,6 +9,8 @@ use crate::slip::Slip;
 /// A reason to take a result with care.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Caution {
+    /// The wheel has or may have lugs of a height that is not known.
+    LugHeightAssumed,
     /// N = n0 + n1 s was fitted to driving wheels and is applied to a braking one, for which no gain of its own is given.
     SlipGainExtrapolated,
     /// The slip–sinkage relation was fitted to driving wheels and is applied to a braking one.
@@ -34,6 +36,7 @@ impl Caution {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
+            Self::LugHeightAssumed => "lug_height_assumed",
             Self::SlipGainExtrapolated => "slip_gain_extrapolated",
             Self::SlipSinkageExtrapolated => "slip_sinkage_extrapolated",
             Self::IntegrationError { .. } => "integration_error",
@@ -44,6 +47,9 @@ impl Caution {
 impl fmt::Display for Caution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::LugHeightAssumed => {
+                write!(f, "the wheel has or may have lugs, but their height is not published; it is computed as smooth")
+            }
             Self::SlipGainExtrapolated => {
                 write!(
                     f,
@@ -66,6 +72,7 @@ pub fn cautions(operation: &Operation, slip: Slip, forces: Option<&Forces>) -> i
     let exponent = operation.system.soil.pressure_sinkage().exponent();
     let estimate = forces.map_or(0.0, |forces| forces.integration_error);
     [
+        operation.system.wheel.lug_height_is_assumed().then_some(Caution::LugHeightAssumed),
         (braking && exponent.slip_gain != 0.0 && exponent.skid_gain.is_none()).then_some(Caution::SlipGainExtrapolated),
         (braking && matches!(operation.sinkage, Sinkage::FromStatic { .. })).then_some(Caution::SlipSinkageExtrapolated),
         Caution::of_integration(estimate),
