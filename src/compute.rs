@@ -98,9 +98,8 @@ pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, P
     match format {
         Format::Json => json(reply),
         Format::Csv => {
-            let mut response = csv(&reply.columns()).into_response();
+            let mut response = csv_text(csv(&reply.columns()));
             let headers = response.headers_mut();
-            headers.insert(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"));
             // A table has no place for warnings, so their codes travel beside it.
             let codes: Vec<&str> = reply.warnings().iter().map(|warning| warning.code).collect();
             if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))
@@ -121,6 +120,11 @@ pub(crate) fn json<T: serde::Serialize>(value: &T) -> Result<Response, Problem> 
         Problem::Internal
     })?;
     Ok(json_text(text))
+}
+
+/// A text that is a table.
+pub(crate) fn csv_text(text: impl IntoResponse) -> Response {
+    ([(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"))], text).into_response()
 }
 
 /// A text that is JSON.

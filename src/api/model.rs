@@ -8,6 +8,7 @@ use terramechanics::{Caution, CautionKind};
 use utoipa::ToSchema;
 
 use super::responses::Limits;
+use crate::catalogue::{self, Gravity};
 use crate::compute::json_text;
 
 /// What the service computes.
@@ -30,6 +31,9 @@ pub(crate) struct Model {
     refusals: Vec<String>,
     /// The warnings that results may carry.
     warnings: Vec<WarningNote>,
+    /// Gravity of the bodies where wheels roll, for loads and unit weights.
+    #[serde(default)]
+    gravity: Vec<Gravity>,
     /// The papers named.
     references: Vec<String>,
 }
@@ -112,13 +116,14 @@ struct WarningNote {
 
 impl From<&CautionKind> for WarningNote {
     fn from(kind: &CautionKind) -> Self {
+        let range = kind.range.as_ref();
         Self {
             code: kind.code.into(),
             meaning: kind.meaning.into(),
-            quantity: Some(kind.quantity.into()),
-            lower: kind.lower,
-            upper: kind.upper,
-            source: Some(kind.source.into()),
+            quantity: range.map(|range| range.quantity.into()),
+            lower: range.and_then(|range| range.lower),
+            upper: range.and_then(|range| range.upper),
+            source: range.map(|range| range.source.into()),
         }
     }
 }
@@ -127,13 +132,14 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
     let mut model: Model =
         serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
     model.warnings.splice(0..0, Caution::KINDS.into_iter().map(WarningNote::from));
+    model.gravity = catalogue::gravity().to_vec();
     serde_json::to_string_pretty(&model).unwrap_or_default()
 });
 
 /// The equations as implemented, and the errata
 ///
-/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, and where the letter as
-/// printed is not what is computed.
+/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, gravity, and where the
+/// letter as printed is not what is computed.
 #[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), Limits))]
 pub(crate) async fn model() -> Response {
     json_text(TEXT.as_str())

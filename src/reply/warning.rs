@@ -1,7 +1,7 @@
 //! What a result says about itself.
 
 use serde::Serialize;
-use terramechanics::{Caution, CautionKind};
+use terramechanics::{Caution, CautionKind, TestedRange};
 use utoipa::ToSchema;
 
 /// A reason to take the result with care.
@@ -35,8 +35,15 @@ pub(crate) struct Range {
 
 impl From<Caution> for Warning {
     fn from(caution: Caution) -> Self {
-        let CautionKind { code, quantity, lower, upper, source, .. } = *caution.kind;
-        Self { code, detail: caution.to_string(), range: Some(Range { quantity, value: caution.value, lower, upper, source }) }
+        let CautionKind { code, ref range, .. } = *caution.kind;
+        let of_value = |&TestedRange { quantity, lower, upper, source }: &TestedRange| Range {
+            quantity,
+            value: caution.value,
+            lower,
+            upper,
+            source,
+        };
+        Self { code, detail: caution.to_string(), range: range.as_ref().map(of_value) }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Requests as they stand on the wire, and what they become: the only place where input is checked and converted.
 
 mod axis;
+mod catalogue;
 mod compare;
 mod contact;
 mod forces;
@@ -10,6 +11,7 @@ mod soil;
 mod stress_profile;
 mod wheel;
 
+pub(crate) use catalogue::{SoilsDto, WheelsDto};
 pub(crate) use compare::{CompareDto, CompareQuery};
 pub(crate) use contact::{ContactDto, RULES};
 pub(crate) use forces::{ForcesDto, ForcesQuery};

@@ -56,7 +56,7 @@ impl SoilDto {
         } else {
             let published = preset.and_then(SoilRecord::pressure_sinkage);
             if published.is_none() && !unknown_preset {
-                missing(place, law.name, preset.map(|record| record.id.as_str()));
+                missing_law(place, law.name, preset);
             }
             published
         };
@@ -72,6 +72,7 @@ impl SoilDto {
             return None;
         }
         let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
+        let soil = preset.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
         Some((soil, preset.and_then(SoilRecord::contact)))
     }
 
@@ -92,6 +93,18 @@ impl SoilDto {
             }
             None => Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: modulus()? })),
         }
+    }
+}
+
+/// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
+fn missing_law(place: &Scope<'_>, name: &'static str, preset: Option<&SoilRecord>) {
+    match preset.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
+        Some((record, Some(law), parameters)) => place.field(name).fault(format_args!(
+            "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
+            record.id,
+            parameters.join(", ")
+        )),
+        _ => missing(place, name, preset.map(|record| record.id.as_str())),
     }
 }
 

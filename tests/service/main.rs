@@ -7,6 +7,7 @@ mod contract;
 mod documents;
 mod forces;
 mod page;
+mod presets;
 mod problems;
 mod query;
 mod readme;

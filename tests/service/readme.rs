@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::asking::{post, post_for_csv};
+use crate::asking::{get, post, post_for_csv};
 
 const README: &str = include_str!("../../README.md");
 
@@ -61,4 +61,11 @@ fn the_problem_shown_is_what_is_said() {
 #[test]
 fn both_commands_are_named() {
     assert!(README.contains("cargo run --release") && README.contains("cargo test --workspace"));
+}
+
+#[test]
+fn the_size_of_the_catalogue_is_the_one_stated() {
+    let size = |path: &str, name: &str| get(path).ok()[name].as_array().expect("a list").len();
+    let stated = format!("{} wheels and {} soils", size("/v1/wheels", "wheels"), size("/v1/soils", "soils"));
+    assert!(README.contains(&stated), "{stated}");
 }

@@ -64,6 +64,17 @@ fn a_negative_cohesive_modulus_near_its_limit_is_warned_of() {
 }
 
 #[test]
+fn a_soil_of_the_moon_or_mars_is_warned_of_by_its_gravity() {
+    for (soil, gravity) in [("lunar-apollo-nominal", 1.62), ("zhurong-sand-marssim", 3.71)] {
+        let body = with(&tested(), json!({"soil": null}));
+        let reply = post("/v1/forces", &with(&body, json!({"soil": {"preset": soil}}))).ok();
+        let warnings = reply["warnings"].as_array().expect("warnings");
+        let warning = warnings.iter().find(|warning| warning["code"] == "low_gravity").expect("a warning");
+        assert_eq!(warning["range"]["value"], gravity, "{soil}");
+    }
+}
+
+#[test]
 fn a_warning_names_value_range_and_source() {
     let reply = post("/v1/forces", &letter()).ok();
     let warning = &reply["warnings"][0];
@@ -88,11 +99,12 @@ fn every_code_is_listed_with_its_range_and_source() {
         "slip_gain_extrapolated",
         "slip_sinkage_extrapolated",
         "negative_cohesive_modulus",
+        "low_gravity",
     ] {
         let warning = of(code);
         assert!(warning["source"].is_string() && (warning["lower"].is_number() || warning["upper"].is_number()), "{code}");
     }
-    for code in ["integration_error", "load_residual", "mirrored", "no_solution", "points_raised"] {
+    for code in ["lug_height_assumed", "integration_error", "load_residual", "mirrored", "no_solution", "points_raised"] {
         assert!(of(code)["meaning"].is_string());
     }
 }

@@ -28,7 +28,7 @@ mod stress;
 mod sweep;
 mod wheel;
 
-pub use caution::{Caution, CautionKind, Outcome, cautions};
+pub use caution::{Caution, CautionKind, Outcome, TestedRange, cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
