@@ -2,6 +2,7 @@
 
 mod catalogue;
 mod compare;
+mod coupled;
 mod forces;
 mod model;
 mod operations;
@@ -21,6 +22,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(stress_profile::stress_profile))
         .routes(routes!(slip_sweep::slip_sweep))
         .routes(routes!(compare::compare))
+        .routes(routes!(coupled::coupled))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

@@ -127,6 +127,7 @@ mod tests {
             "slip_gain_extrapolated",
             "slip_sinkage_extrapolated",
             "integration_error",
+            "negative_normal_stress",
             "mirrored",
             "no_solution",
             "points_raised",

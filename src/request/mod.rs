@@ -3,6 +3,7 @@
 mod axis;
 mod compare;
 mod contact;
+mod coupled;
 mod forces;
 mod operation;
 mod slip_sweep;
@@ -12,6 +13,7 @@ mod wheel;
 
 pub(crate) use compare::{CompareDto, CompareQuery};
 pub(crate) use contact::{ContactDto, RULES};
+pub(crate) use coupled::{CoupledDto, CoupledQuery};
 pub(crate) use forces::{ForcesDto, ForcesQuery};
 pub(crate) use operation::SlipSinkageDto;
 pub(crate) use operation::{error_fault, error_pointer};

@@ -16,13 +16,14 @@ pub(crate) struct Number {
     /// Whether `max` itself is too large.
     open_above: bool,
     integer: bool,
+    required: bool,
     default: Option<f64>,
 }
 
 impl Number {
     /// A number from `min` to `max`; the description names its unit.
     pub(crate) const fn new(doc: &'static str, min: f64, max: f64) -> Self {
-        Self { doc, min, max, open_above: false, integer: false, default: None }
+        Self { doc, min, max, open_above: false, integer: false, required: false, default: None }
     }
 
     /// The upper bound itself is excluded.
@@ -33,6 +34,11 @@ impl Number {
     /// Only whole numbers.
     pub(crate) const fn integer(self) -> Self {
         Self { integer: true, ..self }
+    }
+
+    /// A request without it is refused whatever else it has.
+    pub(crate) const fn required(self) -> Self {
+        Self { required: true, ..self }
     }
 
     /// What holds where the field is left out.
@@ -85,6 +91,10 @@ impl Spec for Number {
         } else {
             object.schema_type(Type::Number).format(Some(SchemaFormat::KnownFormat(KnownFormat::Double))).into()
         }
+    }
+
+    fn is_required(&self) -> bool {
+        self.required
     }
 }
 

@@ -4,6 +4,7 @@ mod asking;
 mod catalogue;
 mod compare;
 mod contract;
+mod coupled;
 mod documents;
 mod forces;
 mod page;
