@@ -18,6 +18,15 @@ pub enum Caution {
         /// The normal stress at the peak (Pa).
         stress: f64,
     },
+    /// The wheel sinks deeper than the classical estimates were found good for.
+    DeepSinkage {
+        /// The sinkage (m).
+        sinkage: f64,
+        /// The wheel's diameter (m).
+        diameter: f64,
+    },
+    /// The soil's exponent changes with slip, which the classical estimates do not know.
+    SlipGainUnused,
     /// The integrals by quadrature may be off by more than 1e-9 of the scale of the forces.
     IntegrationError {
         /// Estimate of the relative error.
@@ -42,6 +51,8 @@ impl Caution {
             Self::SlipGainExtrapolated => "slip_gain_extrapolated",
             Self::SlipSinkageExtrapolated => "slip_sinkage_extrapolated",
             Self::NegativeNormalStress { .. } => "negative_normal_stress",
+            Self::DeepSinkage { .. } => "deep_sinkage",
+            Self::SlipGainUnused => "slip_gain_unused",
             Self::IntegrationError { .. } => "integration_error",
         }
     }
@@ -63,6 +74,15 @@ impl fmt::Display for Caution {
                 f,
                 "load and torque leave a normal stress of {stress:.3e} Pa at the peak, but soil cannot pull: they do not belong \
                  together at this slip and sinkage"
+            ),
+            Self::DeepSinkage { sinkage, diameter } => write!(
+                f,
+                "a sinkage of {sinkage:.3e} m is more than a sixth of the diameter of {diameter} m, up to which the estimates were \
+                 found good"
+            ),
+            Self::SlipGainUnused => write!(
+                f,
+                "the sinkage exponent of this soil changes with slip; the estimates are those of its exponent at rest, n0"
             ),
             Self::IntegrationError { estimate } => {
                 write!(f, "the integrals may be off by {estimate:.1e} of the scale of the forces")

@@ -70,6 +70,8 @@ impl Coupled {
     ///         friction_angle: 0.478,
     ///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 }),
     ///         pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e6, exponent }), // any: it cancels
+    ///         unit_weight: None,
+    ///         lateral_shear_modulus: None,
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };

@@ -11,7 +11,8 @@
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
 //!
-//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured.
+//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured, and [`Resistances`] are the
+//! classical estimates for a load.
 
 mod caution;
 mod contact;
@@ -23,6 +24,7 @@ mod numerics;
 mod operation;
 mod pressure_sinkage;
 mod profile;
+mod resistances;
 mod shear;
 mod slip;
 mod slip_sinkage;
@@ -40,6 +42,7 @@ pub use load::CarriedLoad;
 pub use operation::{OperatingPoint, Operation, Sinkage};
 pub use pressure_sinkage::{Bekker, Diameter, Direct, PressureSinkage, Reece, SinkageExponent};
 pub use profile::StressProfile;
+pub use resistances::{Lacking, Resistances};
 pub use shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
 pub use slip::{Heading, Motion, Slip, Velocities};
 pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};

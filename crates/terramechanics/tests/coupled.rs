@@ -45,7 +45,7 @@ proptest! {
         let exponent = SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None };
         let pressure_sinkage = PressureSinkage::Direct(Direct { k_s: 1e6, exponent });
         let wheel = WheelParams { radius, width, lug_height: lugs, lug_coefficient };
-        let soil = SoilParams { cohesion, friction_angle, shear, pressure_sinkage };
+        let soil = SoilParams { cohesion, friction_angle, shear, pressure_sinkage, ..LETTER_SOIL };
         let system = system(wheel, soil, contact(rule, exit_ratio));
         let rolling = system.rolling(slip(ratio)).expect("a rolling wheel");
         let patch = rolling.contact(radius * 10f64.powf(log_depth)).expect("a contact");
