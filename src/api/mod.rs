@@ -6,6 +6,7 @@ mod coupled;
 mod forces;
 mod model;
 mod operations;
+mod resistances;
 mod responses;
 mod slip_sweep;
 mod stress_profile;
@@ -23,6 +24,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(slip_sweep::slip_sweep))
         .routes(routes!(compare::compare))
         .routes(routes!(coupled::coupled))
+        .routes(routes!(resistances::resistances))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

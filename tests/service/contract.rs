@@ -132,6 +132,9 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
     if path == "/v1/coupled" {
         body = with(&body, json!({"normal_load_n": 80}));
     }
+    if path == "/v1/resistances" {
+        body = with(&body, json!({"sinkage_m": null, "normal_load_n": 1e-9})); // light enough for the softest soil
+    }
     let law_of = |object: &str| field.variants.iter().find(|(pointer, _, _)| pointer == object).map(|(_, _, law)| law.as_str());
     let law = law_of("/soil/pressure_sinkage").unwrap_or("bekker");
     let parameters = match (law, field.pointer.rsplit('/').next()) {
@@ -147,6 +150,7 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         _ => json!({"cohesion_pa": 1000}),
     };
     let around = match field.pointer.as_str() {
+        "/wheel/radius_m" if path == "/v1/resistances" => json!({}),
         "/wheel/radius_m" => json!({"sinkage_m": 5e-4}),
         pointer if pointer.starts_with("/soil/pressure_sinkage") => {
             body = with(&body, json!({"soil": {"pressure_sinkage": null}}));

@@ -10,6 +10,7 @@ mod forces;
 mod page;
 mod problems;
 mod readme;
+mod resistances;
 mod server;
 mod slip_sweep;
 mod stress_profile;
