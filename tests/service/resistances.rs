@@ -10,7 +10,7 @@ fn number(value: &Value, name: &str) -> f64 {
     value[name].as_f64().unwrap_or_else(|| panic!("{name} in {value}"))
 }
 
-/// The wheel of the lunar roving vehicle and its soil, as printed in lecture notes (Akin, University of Maryland).
+/// The wheel of the lunar roving vehicle and its soil, as printed in course material (Akin, University of Maryland).
 fn lunar(changes: Value) -> Value {
     let body = json!({
         "wheel": {"radius_m": 0.4065, "width_m": 0.229},

@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-12;
 
 const REFERENCE: &str = include_str!("reference/resistances.json");
 
-/// The wheel of the lunar roving vehicle and its soil, as printed in lecture notes (Akin, University of Maryland).
+/// The wheel of the lunar roving vehicle and its soil, as printed in course material (Akin, University of Maryland).
 const LUNAR_WHEEL: WheelParams = WheelParams { radius: 0.4065, width: 0.229, lug_height: 0.0, lug_coefficient: 0.5 };
 const LUNAR_SOIL: SoilParams = SoilParams {
     cohesion: 170.0,

@@ -9,8 +9,8 @@
 //!
 //! α is the angle of approach, which is the entry angle; l0 the length of soil ruptured ahead.
 //!
-//! Validity: wheels that run in undisturbed soil; those behind in their ruts push none. The formulas were read in lecture
-//! notes (Akin, University of Maryland), not in Bekker's book. Checked against their example, the lunar rover: 90.4 N at the
+//! Validity: wheels that run in undisturbed soil; those behind in their ruts push none. The formulas were read in course
+//! material (Akin, University of Maryland), not in Bekker's book. Checked against their example, the lunar rover: 90.4 N at the
 //! 17.3 mm of its 259 N, 94 N at the 18.1 mm that belong to the α and l0 printed there, where 95 N are printed.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};

@@ -10,7 +10,7 @@
 //! too much at n = 1/2, 15 % too little at n = 3/2, and nothing at n = 3, from where on there is no sinkage.
 //!
 //! Validity: as Wong (Theory of Ground Vehicles, ch. 2) reports of Bekker, sinkages up to a sixth of the diameter and wheels
-//! larger than half a metre; shear stress and slip are left out. The formulas were read in lecture notes (Akin,
+//! larger than half a metre; shear stress and slip are left out. The formulas were read in course material (Akin,
 //! University of Maryland), not in Bekker's books, and derived anew as above.
 
 use super::Lacking;

@@ -7,7 +7,7 @@
 //! The last factor is the mean of E over a displacement that grows from 0 to s l along the contact. Without lugs (h = 0) both
 //! factors in round brackets are 1.
 //!
-//! Validity: flat contacts. The formulas were read in lecture notes (Akin, University of Maryland), not in Bekker's book.
+//! Validity: flat contacts. The formulas were read in course material (Akin, University of Maryland), not in Bekker's book.
 //!
 //! Departure: Bekker counts the lugs in the ground and their length. A wheel here has a lug height alone, so its lugs are
 //! continuous along the contact, the most that lugs can do to the cohesive part.

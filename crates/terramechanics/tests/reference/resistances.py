@@ -31,7 +31,13 @@ def law_of(draw):
         [
             {"law": "bekker", "k_c": round(draw.uniform(-500, 5000)), "k_phi": pick(draw, 5, 7), "n0": n0},
             {"law": "direct", "k_s": pick(draw, 5, 7), "n0": n0},
-            {"law": "reece", "k_c": round(draw.uniform(0, 100), 1), "k_phi": pick(draw, 1.5, 3.5), "unit_weight_n_m3": pick(draw, 3.2, 4.3), "n0": n0},
+            {
+                "law": "reece",
+                "k_c": round(draw.uniform(0, 100), 1),
+                "k_phi": pick(draw, 1.5, 3.5),
+                "unit_weight_n_m3": pick(draw, 3.2, 4.3),
+                "n0": n0,
+            },
             {"law": "diameter", "k": pick(draw, 5, 7), "m": round(draw.uniform(-0.5, 0.5), 3), "n0": n0},
         ]
     )
