@@ -2,7 +2,7 @@
 
 use terramechanics::{Coupled, Heading, Motion, WheelOnSoil};
 
-use super::operation::{self, MotionEntries, contact_of, normal_stress_radius_of, within_wheel};
+use super::operation::{self, MotionEntries, checked_contact, normal_stress_radius_of, within_wheel};
 use super::{ContactDto, Request, SoilDto, WheelDto};
 use crate::wire::{Number, Scope, wire_object};
 
@@ -44,7 +44,7 @@ impl Request for CoupledDto {
     fn check(&self, place: &Scope<'_>) -> Option<CoupledQuery> {
         let wheel = self.wheel().required(place).and_then(|dto| dto.check(&place.field(self.wheel().name)));
         let soil = self.soil().required(place).and_then(|dto| dto.check(&place.field(self.soil().name)));
-        let contact = contact_of(&self.contact(), place, soil.and_then(|(_, measured)| measured));
+        let contact = checked_contact(&self.contact(), place, soil.and_then(|(_, measured)| measured));
         let motion = MotionEntries {
             slip: self.slip(),
             forward_velocity: self.forward_velocity_m_s(),

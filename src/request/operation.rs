@@ -116,7 +116,7 @@ impl OperationEntries<'_> {
     pub(super) fn check(&self, place: &Scope<'_>) -> Option<Checked> {
         let wheel = self.wheel.required(place).and_then(|dto| dto.check(&place.field(self.wheel.name)));
         let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name)));
-        let contact = contact_of(&self.contact, place, soil.and_then(|(_, measured)| measured));
+        let contact = checked_contact(&self.contact, place, soil.and_then(|(_, measured)| measured));
         let sinkage = self.sinkage(place, wheel.as_ref());
         let peak_depth = or_none(&self.peak_sinkage, place, |word| match word {
             "geometric" => Some(PeakDepth::Geometric),
@@ -172,8 +172,8 @@ impl OperationEntries<'_> {
     }
 }
 
-/// The contact of the request; else what the catalogue measured with the soil, else the midpoint.
-pub(super) fn contact_of(entry: &Entry<'_, ContactDto>, place: &Scope<'_>, measured: Option<Contact>) -> Option<Contact> {
+/// The contact sent, else the one measured with the soil, else the midpoint.
+pub(super) fn checked_contact(entry: &Entry<'_, ContactDto>, place: &Scope<'_>, measured: Option<Contact>) -> Option<Contact> {
     if entry.is_present() {
         entry.given(place).and_then(|dto| dto.check(&place.field(entry.name)))
     } else {

@@ -16,14 +16,14 @@ pub(crate) struct Number {
     /// Whether `max` itself is too large.
     open_above: bool,
     integer: bool,
-    required: bool,
     default: Option<f64>,
+    required: bool,
 }
 
 impl Number {
     /// A number from `min` to `max`; the description names its unit.
     pub(crate) const fn new(doc: &'static str, min: f64, max: f64) -> Self {
-        Self { doc, min, max, open_above: false, integer: false, required: false, default: None }
+        Self { doc, min, max, open_above: false, integer: false, default: None, required: false }
     }
 
     /// The upper bound itself is excluded.
@@ -36,14 +36,14 @@ impl Number {
         Self { integer: true, ..self }
     }
 
-    /// A request without it is refused whatever else it has.
-    pub(crate) const fn required(self) -> Self {
-        Self { required: true, ..self }
-    }
-
     /// What holds where the field is left out.
     pub(crate) const fn or(self, default: f64) -> Self {
         Self { default: Some(default), ..self }
+    }
+
+    /// A number that has to be there.
+    pub(crate) const fn required(self) -> Self {
+        Self { required: true, ..self }
     }
 
     /// The value, if it is within the bounds; else the fault is reported.

@@ -81,12 +81,12 @@ impl Contact {
     /// # Ok::<(), terramechanics::Error>(())
     /// ```
     pub fn angles(&self, depth_ratio: f64, slip: Slip) -> Result<Angles, Error> {
-        let entry = entry_angle(depth_ratio); // Eq. (13), corrected
+        let entry = angle_at_depth(depth_ratio); // Eq. (13), corrected
         let exit = self.params.exit_ratio * entry;
         let peak = match self.params.rule {
             PeakRule::Midpoint => 0.5 * (entry + exit),
             PeakRule::WongReece { c1, c2 } => (c1 + c2 * slip.ratio()) * entry,
-            PeakRule::HalfSinkage => entry_angle(0.5 * depth_ratio), // Eq. (8)
+            PeakRule::HalfSinkage => angle_at_depth(0.5 * depth_ratio), // Eq. (8)
         };
         if exit < peak && peak < entry {
             Ok(Angles { entry, peak, exit })
@@ -98,6 +98,6 @@ impl Contact {
 
 /// Angle (rad) whose cosine lies d = z/r below 1: arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small.
 #[inline]
-pub(crate) fn entry_angle(d: f64) -> f64 {
+pub(crate) fn angle_at_depth(d: f64) -> f64 {
     2.0 * (0.5 * d).sqrt().asin()
 }

@@ -22,7 +22,7 @@ mod thrust;
 use std::fmt;
 
 use crate::caution::Caution;
-use crate::contact::entry_angle;
+use crate::contact::angle_at_depth;
 use crate::error::{Error, Fault, Parameter, Requirement};
 use crate::slip::Slip;
 use crate::stress::WheelOnSoil;
@@ -107,7 +107,7 @@ impl Resistances {
         if !(sinkage > 0.0 && sinkage <= radius) {
             return Err(Error::SinkageOutsideWheel { sinkage, radius });
         }
-        let entry = entry_angle(sinkage / radius);
+        let entry = angle_at_depth(sinkage / radius);
         let estimates = Self {
             rigid_wheel_sinkage: Ok(sinkage),
             compaction: Ok(compaction::resistance(&at_rest, sinkage)),
