@@ -29,6 +29,11 @@ impl Cost {
         Self(points as f64 * (evaluation * evaluations + 500.0))
     }
 
+    /// Of one evaluation of closed forms.
+    pub(crate) fn of_closed_forms() -> Self {
+        Self(1_000.0)
+    }
+
     /// Of `points` operating points by each of several methods.
     pub(crate) fn of_comparison(operations: &[Operation], points: usize) -> Self {
         Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())

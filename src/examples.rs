@@ -7,8 +7,8 @@ use utoipa::openapi::path::ParameterBuilder;
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
-use crate::reply::{CompareReply, ForcesReply, ProfileReply, Reply, SweepReply, csv};
-use crate::request::{CompareDto, ForcesDto, ProfileDto, Request, SweepDto, checked};
+use crate::reply::{CompareReply, CoupledReply, ForcesReply, ProfileReply, Reply, ResistancesReply, SweepReply, csv};
+use crate::request::{CompareDto, CoupledDto, ForcesDto, ProfileDto, Request, ResistancesDto, SweepDto, checked};
 use crate::wire::read;
 
 /// Digits kept of a number in an example.
@@ -61,7 +61,7 @@ fn set_parameters(operation: &mut utoipa::openapi::path::Operation, body: &Value
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 4] {
+fn bodies() -> [(&'static str, Value, Answer); 6] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -81,6 +81,16 @@ fn bodies() -> [(&'static str, Value, Answer); 4] {
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": [0.1, 0.3], "sinkage_m": 0.02,
         "methods": ["quadrature", "linearised", "explicit"]
     });
+    let coupled = json!({
+        "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02, "normal_load_n": 80
+    });
+    let coupled_reply = answer::<CoupledDto, _>(&coupled, |query| CoupledReply::try_from(query).ok());
+    let resistances = json!({
+        "wheel": {"radius_m": 0.4065, "width_m": 0.229},
+        "soil": {"preset": "lunar-apollo-nominal", "friction_angle_rad": 0.576, "unit_weight_n_m3": 2472},
+        "normal_load_n": 259, "slip": 0.05
+    });
+    let resistances_reply = answer::<ResistancesDto, _>(&resistances, |query| ResistancesReply::try_from(query).ok());
     let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
@@ -90,6 +100,8 @@ fn bodies() -> [(&'static str, Value, Answer); 4] {
         ("/v1/stress-profile", profile, profile_reply),
         ("/v1/slip-sweep", sweep, sweep_reply),
         ("/v1/compare", compare, compare_reply),
+        ("/v1/coupled", coupled, coupled_reply),
+        ("/v1/resistances", resistances, resistances_reply),
     ]
 }
 

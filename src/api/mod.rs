@@ -2,9 +2,11 @@
 
 mod catalogue;
 mod compare;
+mod coupled;
 mod forces;
 mod model;
 mod operations;
+mod resistances;
 mod responses;
 mod slip_sweep;
 mod stress_profile;
@@ -21,6 +23,8 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .routes(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .routes(routes!(compare::compare))
+        .routes(routes!(coupled::coupled))
+        .routes(routes!(resistances::resistances))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

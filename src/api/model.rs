@@ -165,7 +165,15 @@ mod tests {
         distinct.sort_unstable();
         distinct.dedup();
         assert_eq!(distinct.len(), codes.len(), "each code is listed once");
-        for code in ["mirrored", "no_solution", "points_raised"] {
+        for code in [
+            "needs_exponent_below_three",
+            "needs_unit_weight",
+            "needs_driving_slip",
+            "needs_janosi_hanamoto",
+            "mirrored",
+            "no_solution",
+            "points_raised",
+        ] {
             assert!(codes.contains(&code), "{code}");
         }
     }

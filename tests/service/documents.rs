@@ -53,7 +53,9 @@ fn the_document_has_the_routes_of_the_api() {
         "get /v1/wheels",
         "get /v1/wheels/{id}",
         "post /v1/compare",
+        "post /v1/coupled",
         "post /v1/forces",
+        "post /v1/resistances",
         "post /v1/slip-sweep",
         "post /v1/stress-profile",
     ];

@@ -59,6 +59,18 @@ fn the_problem_shown_is_what_is_said() {
 }
 
 #[test]
+fn the_classical_estimates_are_those_quoted() {
+    let example = serde_json::json!({
+        "wheel": {"radius_m": 0.4065, "width_m": 0.229}, "normal_load_n": 259,
+        "soil": {"preset": "lunar-apollo-nominal", "friction_angle_rad": 0.576, "unit_weight_n_m3": 2472}
+    });
+    let answer = post("/v1/resistances", &example).ok();
+    let rounded = |name: &str, digits: usize| format!("{:.digits$}", answer[name].as_f64().expect("a number"));
+    assert_eq!([rounded("compaction_resistance_n", 2), rounded("bulldozing_resistance_n", 1)], ["28.34", "90.4"]);
+    assert!(README.contains("28.34 N of compaction and 90.4 N of bulldozing"));
+}
+
+#[test]
 fn both_commands_are_named() {
     assert!(README.contains("cargo run --release") && README.contains("cargo test --workspace"));
 }

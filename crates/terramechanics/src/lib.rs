@@ -10,9 +10,13 @@
 //! The way through: a [`Wheel`], a [`Soil`] and a [`Contact`] make a [`WheelOnSoil`]; at a [`Slip`] it is [`Rolling`]; at a
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
+//!
+//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured, and [`Resistances`] are the
+//! classical estimates for a load.
 
 mod caution;
 mod contact;
+mod coupled;
 mod error;
 mod forces;
 mod load;
@@ -20,6 +24,7 @@ mod numerics;
 mod operation;
 mod pressure_sinkage;
 mod profile;
+mod resistances;
 mod shear;
 mod slip;
 mod slip_sinkage;
@@ -28,14 +33,16 @@ mod stress;
 mod sweep;
 mod wheel;
 
-pub use caution::{Caution, CautionKind, Outcome, TestedRange, cautions};
+pub use caution::{Caution, CautionKind, Outcome, TestedRange, cautions, system_cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
+pub use coupled::{Coupled, CoupledForces};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
 pub use load::CarriedLoad;
 pub use operation::{OperatingPoint, Operation, Sinkage};
 pub use pressure_sinkage::{Bekker, Diameter, Direct, PressureSinkage, Reece, SinkageExponent};
 pub use profile::StressProfile;
+pub use resistances::{Lacking, Resistances};
 pub use shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
 pub use slip::{Heading, Motion, Slip, Velocities};
 pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};

@@ -77,6 +77,12 @@ impl Soil {
         self.params.cohesion
     }
 
+    /// Internal friction angle φ (rad).
+    #[must_use]
+    pub fn friction_angle(&self) -> f64 {
+        self.params.friction_angle
+    }
+
     /// tan φ (–).
     #[must_use]
     pub fn tan_friction(&self) -> f64 {

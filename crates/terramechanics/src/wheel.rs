@@ -65,6 +65,12 @@ impl Wheel {
         self.params.width
     }
 
+    /// Lug height h (m).
+    #[must_use]
+    pub fn lug_height(&self) -> f64 {
+        self.params.lug_height
+    }
+
     /// Radius at which the shear stress acts, r_s = r + λ_s h (m). Eq. (9).
     ///
     /// ```

@@ -92,7 +92,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
             friction_angle: required(soil, "friction_angle_rad"),
             shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: required(soil, "shear_modulus_m") }),
             pressure_sinkage,
-            unit_weight: None,
+            unit_weight: soil.get("unit_weight_n_m3").and_then(Value::as_f64),
             lateral_shear_modulus: None,
         },
         contact(peak_rule, number(rule, "c3", 0.0)),
