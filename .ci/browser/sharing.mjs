@@ -72,12 +72,18 @@ check("choices of the address that nobody offers give way to the defaults, and t
 });
 
 check("going back to an address with an unknown choice still gives its forces", async (page) => {
-  await open(page, "?slip_pct=30&fourth=unknown");
-  await page.selectOption("#method", "linearised");
-  await ready(page);
+  await open(page);
+  await page.evaluate(() => {
+    history.pushState(null, "", "?slip_pct=30&fourth=unknown");
+    history.pushState(null, "", "?slip_pct=40");
+  });
+  const round = Number(await page.getAttribute("#app", "data-round"));
   await page.goBack();
+  await page.waitForFunction((last) => Number(document.querySelector("#app").dataset.round) > last, round);
   await ready(page);
-  assert.equal((await assertAnswered(page)).method, "quadrature");
+  assert.equal((await assertAnswered(page)).slip, 0.3);
+  assert.equal(await page.inputValue("#fourth"), "tractive_efficiency");
+  assert.match(await page.innerText("#notice"), /fourth=unknown/);
 });
 
 check("the curl command gives the shown forces in a shell", async (page) => {
