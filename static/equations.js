@@ -26,7 +26,7 @@ function table(className, heads, rows) {
     html("thead", {}, html("tr", {}, ...heads.map((head) => html("th", { scope: "col" }, head)))),
     html("tbody", {}, ...rows.map(({ attributes = {}, cells: [first, ...others] }) => html("tr", attributes,
       html("th", { scope: "row" }, ...first),
-      ...others.map((cell) => html("td", {}, ...cell)))))));
+      ...others.map((cell, index) => html("td", { "data-head": heads[index + 1] }, ...cell)))))));
 }
 
 const list = (items) => html("ul", {}, ...items.map((item) => html("li", {}, ...maths(item))));
@@ -34,13 +34,13 @@ const list = (items) => html("ul", {}, ...items.map((item) => html("li", {}, ...
 /** An equation's number in the letter, its source and note, and the errata that hold for it. */
 function aboutEquation({ letter, source, note, errata = [] }) {
   const parts = [
-    letter?.length ? [`Letter, Eq. ${letter.map((number) => `(${number})`).join(", ")}.`] : null,
-    source ? [source, source.endsWith(".") ? "" : "."] : null,
-    note ? [...maths(note), note.endsWith(".") ? "" : "."] : null,
-    errata.length ? [errata.length > 1 ? "Errata " : "Erratum ",
-      ...errata.flatMap((number, index) => [index ? ", " : "", html("a", { href: `#erratum-${number}` }, String(number))]), "."] : null,
+    letter?.length ? [`letter, Eq. ${letter.map((number) => `(${number})`).join(", ")}`] : null,
+    source ? [source] : null,
+    note ? maths(note) : null,
+    errata.length ? [errata.length > 1 ? "errata " : "erratum ",
+      ...errata.flatMap((number, index) => [index ? ", " : "", html("a", { href: `#erratum-${number}` }, String(number))])] : null,
   ];
-  return parts.filter(Boolean).flatMap((part, index) => (index ? [" ", ...part] : part));
+  return parts.filter(Boolean).flatMap((part, index) => (index ? ["; ", ...part] : part));
 }
 
 function sections(model) {
