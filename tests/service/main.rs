@@ -12,3 +12,4 @@ mod readme;
 mod server;
 mod slip_sweep;
 mod stress_profile;
+mod validation;
