@@ -14,6 +14,8 @@
 //   [data-part="tiles|scene|profile|sweep"][data-stale="true"] while what is shown is not the answer to the inputs
 //   path.curve[data-style], line[data-mark], g[data-arrow], .plot[role="slider"], .legend .reading
 //   #wheel-grade #soil-grade, #wheel-origin #soil-origin: grade, source, notes and values of the chosen entries
+//   #validation[data-state]: waiting | loading | ready | failed; in it tr[data-set], td[data-error][data-method][data-value],
+//   #validation-drawbar-chart #validation-sinkage-chart #validation-torque-chart
 //   #profile-csv #sweep-csv #copy-link #copy-curl #curl #reset-all
 
 import { askAll, faultsOf, warningsOf } from "./answers.js";
@@ -30,6 +32,7 @@ import { contextOf, settingsOf } from "./settings.js";
 import { connectCopy, connectCsv } from "./share.js";
 import { DEFAULTS, stateFromQuery } from "./state.js";
 import { createStatus } from "./status.js";
+import { connectValidation } from "./validation.js";
 
 const EMPTY_CATALOGUE = { wheels: new Map(), soils: new Map() };
 /** Beyond this, the status line says that the results are not yet those of the inputs. */
@@ -49,6 +52,7 @@ let state = stateFromQuery(location.search);
 let catalogue = EMPTY_CATALOGUE;
 /** The last good outcomes: what is on the page, whatever the inputs say since. */
 const shown = { forces: null, profile: null, sweep: null };
+let validation = null;
 
 const status = createStatus(app, byId("status"));
 const announce = createAnnouncer(byId("announcement"));
@@ -153,6 +157,8 @@ function showFaults(faults, stale) {
   if (placed.length) status.faults(placed);
   else status.ready();
   app.dataset.round = Number(app.dataset.round) + 1;
+  // Before the first results the page is short, and this section in view though nobody went there.
+  validation ??= connectValidation(byId("validation"));
 }
 
 connectCopy(byId("copy-curl"), () => byId("curl").textContent);

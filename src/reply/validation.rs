@@ -97,14 +97,28 @@ struct ForceColumns {
     /// Torque T about the axle (N·m).
     #[schema(value_type = Vec<Option<f64>>)]
     torque_n_m: Column,
+    /// F_x/W (–).
+    #[schema(value_type = Vec<Option<f64>>)]
+    drawbar_coefficient: Column,
 }
 
 impl ForceColumns {
-    fn named(&self) -> [(&'static str, &[f64]); 3] {
+    fn of(longitudinal_force: Vec<f64>, sinkage: Vec<f64>, torque: Vec<f64>, load: &[f64]) -> Self {
+        let coefficient = longitudinal_force.iter().zip(load).map(|(force, load)| force / load).collect();
+        Self {
+            longitudinal_force_n: Column(longitudinal_force),
+            sinkage_m: Column(sinkage),
+            torque_n_m: Column(torque),
+            drawbar_coefficient: Column(coefficient),
+        }
+    }
+
+    fn named(&self) -> [(&'static str, &[f64]); 4] {
         [
             ("longitudinal_force_n", &self.longitudinal_force_n.0),
             ("sinkage_m", &self.sinkage_m.0),
             ("torque_n_m", &self.torque_n_m.0),
+            ("drawbar_coefficient", &self.drawbar_coefficient.0),
         ]
     }
 }
@@ -113,33 +127,26 @@ impl From<&'static Record> for ValidationSet {
     fn from(record: &'static Record) -> Self {
         let points = record.points();
         let load = points.load();
-        let measured = ForceColumns {
-            longitudinal_force_n: Column(points.longitudinal_force()),
-            sinkage_m: Column(points.sinkage()),
-            torque_n_m: Column(points.torque()),
-        };
+        let measured = ForceColumns::of(points.longitudinal_force(), points.sinkage(), points.torque(), &load);
         let mut results = Vec::with_capacity(METHODS.len());
         let mut warnings = Vec::new();
         let mut by = |method: &'static str| {
             let prediction = Prediction::of(record, method);
-            let difference = |predicted: &[f64], measured: &Column| -> Vec<f64> {
-                predicted.iter().zip(&measured.0).map(|(predicted, measured)| predicted - measured).collect()
+            warn(&mut warnings, method, &prediction);
+            let unsolved = prediction.gaps.len();
+            let predicted = ForceColumns::of(prediction.longitudinal_force, prediction.sinkage, prediction.torque, &load);
+            let error = |Column(predicted): &Column, Column(measured): &Column| {
+                root_mean_square(predicted.iter().zip(measured).map(|(predicted, measured)| predicted - measured))
             };
-            let drawbar = difference(&prediction.longitudinal_force, &measured.longitudinal_force_n);
             results.push(ValidationResult {
                 method,
                 fitted: record.fitted_to.is_some(),
-                drawbar_rmse_over_load: root_mean_square(drawbar.iter().zip(&load).map(|(error, load)| error / load)),
-                sinkage_rmse_m: root_mean_square(difference(&prediction.sinkage, &measured.sinkage_m).into_iter()),
-                torque_rmse_n_m: root_mean_square(difference(&prediction.torque, &measured.torque_n_m).into_iter()),
-                unsolved: prediction.gaps.len(),
+                drawbar_rmse_over_load: error(&predicted.drawbar_coefficient, &measured.drawbar_coefficient),
+                sinkage_rmse_m: error(&predicted.sinkage_m, &measured.sinkage_m),
+                torque_rmse_n_m: error(&predicted.torque_n_m, &measured.torque_n_m),
+                unsolved,
             });
-            warn(&mut warnings, method, &prediction);
-            ForceColumns {
-                longitudinal_force_n: Column(prediction.longitudinal_force),
-                sinkage_m: Column(prediction.sinkage),
-                torque_n_m: Column(prediction.torque),
-            }
+            predicted
         };
         let [quadrature, linearised, explicit] = METHODS.map(&mut by);
         Self {

@@ -276,5 +276,5 @@ fn a_set_comes_as_a_table() {
         assert_eq!(column, numbers(set.pointer(&pointer).unwrap_or_else(|| panic!("{pointer}"))), "{name}");
     }
     assert_eq!(answer.text.lines().count(), 5);
-    assert_eq!(table(&answer.text).len(), 2 + 3 + 3 * 3);
+    assert_eq!(table(&answer.text).len(), 2 + 4 + 3 * 4);
 }
