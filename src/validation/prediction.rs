@@ -62,9 +62,9 @@ impl Prediction {
 
 /// The operating point at one slip under one load, or why there is none.
 fn point(record: &Record, method: &str, slip: f64, load: f64) -> Result<(OperatingPoint, Vec<Caution>), String> {
-    let ForcesQuery { operation, motion } = query(record, method, slip, load)?;
-    let point = operation.at(motion.slip).map_err(|error| error.to_string())?;
-    let cautions = cautions(&operation, motion.slip, Some(&point.forces)).collect();
+    let query = query(record, method, slip, load)?;
+    let point = query.operation.at(query.motion.slip).map_err(|error| error.to_string())?;
+    let cautions = cautions(&query.operation, query.motion.slip, Some(&point.forces)).collect();
     Ok((point, cautions))
 }
 
