@@ -265,6 +265,61 @@ fn a_fitted_exponent_is_the_line_through_those_that_carry_the_load() {
     }
 }
 
+/// The plate tests of Yoshida et al. 2003 (sinkage in mm, pressure in Pa) give the moduli by ln p = ln k_i + n ln z with one n
+/// for both plates and weights p², k_i = k_c/b_i + k_phi.
+#[test]
+fn the_moduli_of_the_dry_sand_are_the_weighted_fit_of_its_plate_tests() {
+    const PLATES: [(f64, [(f64, f64); 8]); 2] = [
+        (
+            0.06,
+            [
+                (0.71, 247.0),
+                (1.017, 342.0),
+                (1.116, 438.0),
+                (1.522, 629.0),
+                (1.829, 885.0),
+                (2.134, 1100.0),
+                (2.538, 1291.0),
+                (2.639, 1461.0),
+            ],
+        ),
+        (
+            0.116,
+            [
+                (0.813, 469.0),
+                (0.914, 684.0),
+                (1.219, 974.0),
+                (1.421, 1371.0),
+                (1.93, 1744.0),
+                (2.233, 2096.0),
+                (2.538, 2465.0),
+                (3.045, 2826.0),
+            ],
+        ),
+    ];
+    let mut slope = (0.0, 0.0);
+    let means = PLATES.map(|(width, points)| {
+        let logs = points.map(|(z, p): (f64, f64)| ((1e-3 * z).ln(), p.ln(), p * p));
+        let weight: f64 = logs.iter().map(|(_, _, w)| w).sum();
+        let x = logs.iter().map(|(x, _, w)| w * x).sum::<f64>() / weight;
+        let y = logs.iter().map(|(_, y, w)| w * y).sum::<f64>() / weight;
+        slope.0 += logs.iter().map(|(lx, ly, w)| w * (lx - x) * (ly - y)).sum::<f64>();
+        slope.1 += logs.iter().map(|(lx, _, w)| w * (lx - x).powi(2)).sum::<f64>();
+        (width, x, y)
+    });
+    let exponent = slope.0 / slope.1;
+    let [(narrow, k_narrow), (wide, k_wide)] = means.map(|(width, x, y)| (width, (y - exponent * x).exp()));
+    let k_c = (k_narrow - k_wide) / (1.0 / narrow - 1.0 / wide);
+    let law = set("yoshida-2003-24n")["soil"]["pressure_sinkage"].clone();
+    for (name, found, half_a_digit) in [("n0", exponent, 5e-5), ("k_c", k_c, 0.5), ("k_phi", k_narrow - k_c / narrow, 0.5)] {
+        let stated = law[name].as_f64().expect("a number");
+        assert!((stated - found).abs() <= half_a_digit, "{name}: {stated}, not {found}");
+    }
+    for other in ["yoshida-2003-34n", "yoshida-2003-54n"] {
+        assert_eq!(set(other)["soil"]["pressure_sinkage"], law);
+    }
+}
+
 #[test]
 fn a_set_comes_as_a_table() {
     let answer = send(request("GET", "/v1/validation/cmu-smooth-braking", &[("accept", "text/csv")], Body::empty()));
