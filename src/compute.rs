@@ -21,6 +21,9 @@ impl Cost {
     /// Above this a computation would hold up the other requests of its thread.
     const LONGEST_AT_ONCE: Self = Self(100_000.0);
 
+    /// Of what is there already.
+    pub(crate) const NONE: Self = Self(0.0);
+
     /// Of `points` operating points, and of writing their rows.
     pub(crate) fn of_points(operation: &Operation, points: usize) -> Self {
         // A stiff contact makes the quadrature refine to dozens of panels; most take a fortieth of this.
@@ -37,6 +40,11 @@ impl Cost {
     /// Of `points` operating points by each of several methods.
     pub(crate) fn of_comparison(operations: &[Operation], points: usize) -> Self {
         Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())
+    }
+
+    /// Of `points` measurements, each predicted under its load by every method, of which the quadrature takes nearly all.
+    pub(crate) fn of_validation(points: usize) -> Self {
+        Self(points as f64 * 20.0 * 80_000.0)
     }
 
     /// Of reading a request body of `bytes`.

@@ -61,6 +61,9 @@ export async function catalogueOf() {
   return { wheels: byId(wheels), soils: byId(soils) };
 }
 
+/** Published measurements with what the methods give for them. */
+export const validationSets = async () => (await answer("/v1/validation", {}, asJson)).sets;
+
 const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
 
 /** A shell command that sends the same request. */

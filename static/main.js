@@ -17,6 +17,8 @@
 //   [data-part="tiles|scene|profile|sweep"][data-stale="true"] while what is shown is not the answer to the inputs
 //   path.curve[data-style], line[data-mark], g[data-arrow], .plot[role="slider"], .legend .reading
 //   #wheel-grade #soil-grade, #wheel-origin #soil-origin: grade, source, notes and values of the chosen entries
+//   #validation[data-state]: waiting | loading | ready | failed; in it tr[data-set], td[data-error][data-method][data-value],
+//   #validation-drawbar-chart #validation-sinkage-chart #validation-torque-chart
 //   #profile-csv #sweep-csv #copy-link #copy-curl #curl #curl-note #reset-all; button[data-gives="tiles|profile|sweep"] is
 //   disabled while that part is stale
 //   #open-model, dialog#model[open], #model-equations #erratum-1 and so on
@@ -36,6 +38,7 @@ import { contextOf, settingsOf } from "./settings.js";
 import { connectCopy, connectCsv } from "./share.js";
 import { DEFAULTS, offeredState, stateFromQuery } from "./state.js";
 import { createStatus } from "./status.js";
+import { connectValidation } from "./validation.js";
 
 const EMPTY_CATALOGUE = { wheels: new Map(), soils: new Map() };
 /** Beyond this, the status line says that the results are not yet those of the inputs. */
@@ -57,6 +60,7 @@ let notTaken = [];
 let catalogue = EMPTY_CATALOGUE;
 /** The last good outcomes: what is on the page, whatever the inputs say since. */
 const shown = { forces: null, profile: null, sweep: null };
+let validation = null;
 
 const status = createStatus(app, byId("status"));
 const announce = createAnnouncer(byId("announcement"));
@@ -187,6 +191,8 @@ function showFaults(faults, stale) {
   if (placed.length) status.faults(placed);
   else status.ready();
   app.dataset.round = Number(app.dataset.round) + 1;
+  // Before the first results the page is short, and this section in view though nobody went there.
+  validation ??= connectValidation(byId("validation"));
 }
 
 connectCopy(byId("copy-curl"), () => byId("curl").textContent);

@@ -135,7 +135,7 @@ pub(crate) async fn soil(Path(id): Path<String>) -> Result<Response, Problem> {
     json(&record.view())
 }
 
-fn unknown(kind: &str, id: &str, known: &[&str]) -> Problem {
+pub(super) fn unknown(kind: &str, id: &str, known: &[&str]) -> Problem {
     let hint =
         nearest(id, known).map_or_else(|| format!("known are {}", known.join(", ")), |near| format!("did you mean `{near}`?"));
     Problem::NotFound(format!("the catalogue has no {kind} of that name; {hint}"))

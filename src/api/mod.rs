@@ -10,6 +10,7 @@ mod resistances;
 mod responses;
 mod slip_sweep;
 mod stress_profile;
+mod validation;
 
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -29,6 +30,8 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))
         .routes(routes!(catalogue::soil))
+        .routes(routes!(validation::validation))
+        .routes(routes!(validation::validation_set))
         .routes(routes!(model::model))
         .routes(routes!(operations::healthz))
         .routes(routes!(operations::readyz))

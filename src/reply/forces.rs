@@ -90,13 +90,7 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
         let point = operation.at(motion.slip)?;
         let forces = point.forces.heading(motion.heading);
         let parts = &forces.components;
-        let outcome = Outcome {
-            slip: motion.slip,
-            sinkage: point.sinkage,
-            normal: Some(forces.normal),
-            integration_error: forces.integration_error,
-        };
-        let mut warnings: Vec<Warning> = cautions(operation, &outcome).map(Warning::from).collect();
+        let mut warnings: Vec<Warning> = cautions(operation, &Outcome::from(&point)).map(Warning::from).collect();
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
         }

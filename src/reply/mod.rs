@@ -6,6 +6,7 @@ mod forces;
 mod resistances;
 mod slip_sweep;
 mod stress_profile;
+mod validation;
 mod warning;
 
 pub(crate) use compare::CompareReply;
@@ -14,7 +15,8 @@ pub(crate) use forces::ForcesReply;
 pub(crate) use resistances::ResistancesReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;
-pub(crate) use warning::Warning;
+pub(crate) use validation::ValidationSet;
+pub(crate) use warning::{RowCautions, Warning};
 
 use std::borrow::Cow;
 use std::fmt::Write;

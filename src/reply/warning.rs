@@ -64,7 +64,7 @@ impl Warning {
 }
 
 /// The cautions of several rows: per kind the one that is furthest out, with the rows that carry it.
-#[derive(Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct RowCautions(Vec<(Caution, Vec<usize>)>);
 
 impl RowCautions {

@@ -16,4 +16,5 @@ mod resistances;
 mod server;
 mod slip_sweep;
 mod stress_profile;
+mod validation;
 mod warnings;

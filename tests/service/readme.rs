@@ -81,3 +81,34 @@ fn the_size_of_the_catalogue_is_the_one_stated() {
     let stated = format!("{} wheels and {} soils", size("/v1/wheels", "wheels"), size("/v1/soils", "soils"));
     assert!(README.contains(&stated), "{stated}");
 }
+
+/// Every set with its errors, rounded as shown; in brackets the points with a solution, where some have none.
+#[test]
+fn the_errors_against_measurements_are_those_of_the_service() {
+    let rounded = |value: &Value, factor: f64, digits: usize| match value.as_f64() {
+        Some(value) => format!("{:.digits$}", value * factor),
+        None => "–".to_owned(),
+    };
+    let reply = get("/v1/validation").ok();
+    let sets = reply["sets"].as_array().expect("sets");
+    for set in sets {
+        let id = set["id"].as_str().expect("an id");
+        let results = set["results"].as_array().expect("results");
+        let points = set["points"].as_u64().expect("points");
+        let pull = results.iter().map(|result| {
+            let error = rounded(&result["drawbar_rmse_over_load"], 1.0, 3);
+            match result["unsolved"].as_u64() {
+                Some(unsolved) if unsolved > 0 => format!("{error} ({})", points - unsolved),
+                _ => error,
+            }
+        });
+        let kind = if results[0]["fitted"] == true { "fitted" } else { "predicted" };
+        let mut cells = vec![format!("`{id}`"), points.to_string(), kind.to_owned()];
+        cells.extend(pull);
+        cells.push(rounded(&results[0]["sinkage_rmse_m"], 1e3, 1));
+        cells.push(rounded(&results[0]["torque_rmse_n_m"], 1.0, 2));
+        let row = format!("| {} |", cells.join(" | "));
+        assert!(README.lines().any(|line| line == row), "the README lacks: {row}");
+    }
+    assert_eq!(README.lines().filter(|line| line.contains("| predicted |") || line.contains("| fitted |")).count(), sets.len());
+}

@@ -10,7 +10,7 @@ pub(crate) use kinds::*;
 use std::fmt;
 
 use crate::error::Digits;
-use crate::operation::{Operation, Sinkage};
+use crate::operation::{OperatingPoint, Operation, Sinkage};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::slip::Slip;
 use crate::stress::WheelOnSoil;
@@ -59,6 +59,13 @@ pub struct Outcome {
     pub normal: Option<f64>,
     /// Estimate of the relative error of the integrals (–).
     pub integration_error: f64,
+}
+
+impl From<&OperatingPoint> for Outcome {
+    fn from(point: &OperatingPoint) -> Self {
+        let OperatingPoint { slip, sinkage, forces, .. } = point;
+        Self { slip: *slip, sinkage: *sinkage, normal: Some(forces.normal), integration_error: forces.integration_error }
+    }
 }
 
 impl Caution {
