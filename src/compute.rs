@@ -34,6 +34,11 @@ impl Cost {
         Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())
     }
 
+    /// Of a towed wheel, whose skid takes up to a hundred load balances (most take fifteen).
+    pub(crate) fn of_towed(operation: &Operation) -> Self {
+        Self::of_points(operation, 100)
+    }
+
     /// Of reading a request body of `bytes`.
     pub(crate) fn of_body(bytes: usize) -> Self {
         Self(bytes as f64 * 8.0)

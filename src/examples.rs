@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
-use crate::reply::{CompareReply, ForcesReply, ProfileReply, Reply, SweepReply, csv};
-use crate::request::{CompareDto, ForcesDto, ProfileDto, Request, SweepDto, checked};
+use crate::reply::{CompareReply, ForcesReply, ProfileReply, Reply, SweepReply, TowedReply, csv};
+use crate::request::{CompareDto, ForcesDto, ProfileDto, Request, SweepDto, TowedDto, checked};
 use crate::wire::read;
 
 /// Digits kept of a number in an example.
@@ -43,7 +43,7 @@ fn set_reply(operation: &mut utoipa::openapi::path::Operation, media_type: &str,
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 4] {
+fn bodies() -> [(&'static str, Value, Answer); 5] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -63,15 +63,18 @@ fn bodies() -> [(&'static str, Value, Answer); 4] {
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": [0.1, 0.3], "sinkage_m": 0.02,
         "methods": ["quadrature", "linearised", "explicit"]
     });
+    let towed = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80});
     let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
     let sweep_reply = answer::<SweepDto, _>(&sweep, |query| Some(SweepReply::from(query)));
+    let towed_reply = answer::<TowedDto, _>(&towed, |query| TowedReply::try_from(query).ok());
     [
         ("/v1/forces", forces, forces_reply),
         ("/v1/stress-profile", profile, profile_reply),
         ("/v1/slip-sweep", sweep, sweep_reply),
         ("/v1/compare", compare, compare_reply),
+        ("/v1/towed", towed, towed_reply),
     ]
 }
 

@@ -8,6 +8,7 @@ mod operations;
 mod responses;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
 
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -21,6 +22,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(stress_profile::stress_profile))
         .routes(routes!(slip_sweep::slip_sweep))
         .routes(routes!(compare::compare))
+        .routes(routes!(towed::towed))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

@@ -8,6 +8,7 @@ mod operation;
 mod slip_sweep;
 mod soil;
 mod stress_profile;
+mod towed;
 mod wheel;
 
 pub(crate) use compare::{CompareDto, CompareQuery};
@@ -18,6 +19,7 @@ pub(crate) use operation::{error_fault, error_pointer};
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};
 pub(crate) use soil::{LAWS, SHEAR_LAWS, SoilDto};
 pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
+pub(crate) use towed::{TowedDto, TowedQuery};
 pub(crate) use wheel::WheelDto;
 
 use std::cell::RefCell;

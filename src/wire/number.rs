@@ -17,12 +17,13 @@ pub(crate) struct Number {
     open_above: bool,
     integer: bool,
     default: Option<f64>,
+    required: bool,
 }
 
 impl Number {
     /// A number from `min` to `max`; the description names its unit.
     pub(crate) const fn new(doc: &'static str, min: f64, max: f64) -> Self {
-        Self { doc, min, max, open_above: false, integer: false, default: None }
+        Self { doc, min, max, open_above: false, integer: false, default: None, required: false }
     }
 
     /// The upper bound itself is excluded.
@@ -38,6 +39,11 @@ impl Number {
     /// What holds where the field is left out.
     pub(crate) const fn or(self, default: f64) -> Self {
         Self { default: Some(default), ..self }
+    }
+
+    /// A number that has to be there.
+    pub(crate) const fn required(self) -> Self {
+        Self { required: true, ..self }
     }
 
     /// The value, if it is within the bounds; else the fault is reported.
@@ -85,6 +91,10 @@ impl Spec for Number {
         } else {
             object.schema_type(Type::Number).format(Some(SchemaFormat::KnownFormat(KnownFormat::Double))).into()
         }
+    }
+
+    fn is_required(&self) -> bool {
+        self.required
     }
 }
 

@@ -13,6 +13,8 @@ pub enum Caution {
     SlipGainExtrapolated,
     /// The slip–sinkage relation was fitted to driving wheels and is applied to a braking one.
     SlipSinkageExtrapolated,
+    /// A braking wheel with two zones has its largest stress where they part; the contact's own rule is not used.
+    PeakRuleSetAside,
     /// The integrals by quadrature may be off by more than 1e-9 of the scale of the forces.
     IntegrationError {
         /// Estimate of the relative error.
@@ -36,6 +38,7 @@ impl Caution {
         match self {
             Self::SlipGainExtrapolated => "slip_gain_extrapolated",
             Self::SlipSinkageExtrapolated => "slip_sinkage_extrapolated",
+            Self::PeakRuleSetAside => "peak_rule_set_aside",
             Self::IntegrationError { .. } => "integration_error",
         }
     }
@@ -53,6 +56,10 @@ impl fmt::Display for Caution {
             Self::SlipSinkageExtrapolated => {
                 write!(f, "the slip–sinkage law was fitted to driving wheels; at negative slip it extrapolates")
             }
+            Self::PeakRuleSetAside => write!(
+                f,
+                "at negative slip the largest stress is where the two zones part; the contact's rule for its angle is set aside"
+            ),
             Self::IntegrationError { estimate } => {
                 write!(f, "the integrals may be off by {estimate:.1e} of the scale of the forces")
             }
@@ -68,6 +75,7 @@ pub fn cautions(operation: &Operation, slip: Slip, forces: Option<&Forces>) -> i
     [
         (braking && exponent.slip_gain != 0.0 && exponent.skid_gain.is_none()).then_some(Caution::SlipGainExtrapolated),
         (braking && matches!(operation.sinkage, Sinkage::FromStatic { .. })).then_some(Caution::SlipSinkageExtrapolated),
+        (braking && operation.system.contact.sets_rule_aside()).then_some(Caution::PeakRuleSetAside),
         Caution::of_integration(estimate),
     ]
     .into_iter()

@@ -10,7 +10,9 @@
 //! The way through: a [`Wheel`], a [`Soil`] and a [`Contact`] make a [`WheelOnSoil`]; at a [`Slip`] it is [`Rolling`]; at a
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
+//! [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely.
 
+mod braking;
 mod caution;
 mod contact;
 mod error;
@@ -26,8 +28,10 @@ mod slip_sinkage;
 mod soil;
 mod stress;
 mod sweep;
+mod towed;
 mod wheel;
 
+pub use braking::Braking;
 pub use caution::{Caution, cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
@@ -42,4 +46,5 @@ pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};
 pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
 pub use sweep::{Gap, SlipSweep};
+pub use towed::Towed;
 pub use wheel::{Wheel, WheelParams};
