@@ -127,6 +127,8 @@ mod tests {
             "slip_gain_extrapolated",
             "slip_sinkage_extrapolated",
             "integration_error",
+            "peak_rule_set_aside",
+            "no_linear_stresses",
             "mirrored",
             "no_solution",
             "points_raised",

@@ -1,6 +1,7 @@
 //! The service as its clients see it: files mirror `src/api`.
 
 mod asking;
+mod braking;
 mod catalogue;
 mod compare;
 mod contract;
@@ -12,3 +13,4 @@ mod readme;
 mod server;
 mod slip_sweep;
 mod stress_profile;
+mod towed;

@@ -1,13 +1,14 @@
 //! How much does a free-rolling wheel skid, and what does it take to tow it? (Wong & Reece 1967, part II)
 //!
 //! Nothing turns the wheel but the soil: T = 0. At the skid s and the sinkage z that meet F_z = W and T = 0, the towing
-//! resistance is −F_x. The paper has this with the two zones of [`crate::Braking::TwoZone`], whose shear then balances; the same two
-//! conditions on one zone are the letter's model of a towed wheel. Which law holds is the contact's to say.
+//! resistance is −F_x. The paper has this with the two zones of [`crate::Braking::TwoZone`], whose shear then balances; the
+//! same two conditions on one zone are the letter's model of a towed wheel. Which law holds is the contact's to say.
 //!
 //! A rolling wheel (s = 0) takes a torque, T > 0; with skid the torque falls. Where it passes 0 the wheel keeps its skid: with
 //! less skid the missing torque slows it, with more the soil speeds it up. The skid is sought on a ladder from far less than
-//! the contact's geometry calls for, then by Brent's method, each trial solving the load balance. So of several skids without
-//! torque the least is found. Trials that have no contact or carry no such load end the ladder.
+//! the contact's geometry calls for, then by Brent's method, each trial solving the load balance. So the least skid without
+//! torque is found, unless two lie between neighbouring rungs. Where a trial has no contact or carries no such load, the skids
+//! between it and its neighbour are tried by halving.
 
 use crate::contact::Angles;
 use crate::error::Error;
@@ -111,8 +112,11 @@ impl Search<'_> {
             match (self.at(skid), less) {
                 (Ok(here), _) if here.forces.torque > 0.0 => less = Some(here),
                 (Ok(here), Some(less)) if here.forces.torque < 0.0 => return Ok((less, here)),
+                (Ok(here), None) if here.forces.torque < 0.0 && refusal.is_some() => {
+                    return self.bracket_beside(here, skid / RUNG);
+                }
                 (Ok(here), _) => return Err(self.not_free(&here)),
-                (Err(_), Some(less)) => return self.bracket_before(less, skid),
+                (Err(_), Some(less)) => return self.bracket_beside(less, skid),
                 (Err(error), None) => refusal = refusal.or(Some(error)),
             }
             if skid >= 1.0 {
@@ -126,16 +130,17 @@ impl Search<'_> {
         }
     }
 
-    /// A bracket between a skid whose torque is above 0 and one at which there is no answer.
-    fn bracket_before(&mut self, mut less: Towed, mut none: f64) -> Result<(Towed, Towed), Error> {
+    /// A bracket between a skid with a torque of one sign and one at which there is no answer.
+    fn bracket_beside(&mut self, mut known: Towed, mut none: f64) -> Result<(Towed, Towed), Error> {
         for _ in 0..HALVINGS {
-            let middle = 0.5 * (none - less.slip.ratio());
+            let middle = 0.5 * (none - known.slip.ratio());
             match self.at(middle) {
-                Ok(here) if here.forces.torque < 0.0 => return Ok((less, here)),
-                Ok(here) => less = here,
+                Ok(here) if here.forces.torque > 0.0 && known.forces.torque < 0.0 => return Ok((here, known)),
+                Ok(here) if here.forces.torque < 0.0 && known.forces.torque > 0.0 => return Ok((known, here)),
+                Ok(here) => known = here,
                 Err(_) => none = middle,
             }
         }
-        Err(self.not_free(&less))
+        Err(self.not_free(&known))
     }
 }

@@ -9,18 +9,19 @@
 //! | ahead: j = r κ [(θ1 − θ) (sin θ1 − sin θ0)/(θ1 − θ0) − (sin θ1 − sin θ)] | [`Zones::displacement_ahead`] |
 //! | behind: j = r [(θ0 − θ) − κ (sin θ0 − sin θ)] | [`Zones::displacement_behind`] |
 //!
-//! The paper's skid is i = v/(rω) − 1, so its 1 + i is κ = 1/(1 + s) here; its K_v is put in. The formulas were quoted from two
-//! public implementations that agree, not read in the paper. What was derived and checked: with m = tan(π/4 − φ/2) the first
-//! has the closed form θ0 = arccos((1 + s) cos β) − β, β = π/4 − φ/2, which rises from 0 at s = 0 to π/4 + φ/2 on the locked
-//! wheel. j ahead is r κ times the height of sin θ above its chord, so it is 0 at both ends and positive between. j behind falls
-//! from 0 at θ0, because κ cos θ0 − 1 = κ m sin θ0 > 0, and turns only behind θ = −arccos(1 + s). The paper takes |j| and puts
-//! the signs into its integrals; with the signs of j the letter's integrals (10) are the paper's W, towing force and torque.
+//! The paper's skid is i = v/(rω) − 1, so its 1 + i is κ = 1/(1 + s) here; its K_v is put in. The formulas were not read in the
+//! paper: the condition for θ0 is quoted by one public implementation (Madsen 2013), the displacements by two that agree (the
+//! other is Pavlov & Johnson's of 2022). What was derived and checked: with m = tan(π/4 − φ/2) the condition has the closed form
+//! θ0 = arccos((1 + s) cos β) − β, β = π/4 − φ/2, which rises from 0 at s = 0 to π/4 + φ/2 on the locked wheel. j ahead is r κ
+//! times the height of sin θ above its chord, so it is 0 at both ends and positive between. j behind falls from 0 at θ0, because
+//! κ cos θ0 − 1 = κ m sin θ0 > 0, and turns only behind θ = −arccos(1 + s). The paper takes |j| and puts the signs into its
+//! integrals; with the signs of j the letter's integrals (10) are the paper's W, towing force and torque.
 //!
 //! Valid where θ2 < θ0 < θ1; a wheel that brakes harder than its sinkage allows is refused, because σ, whose peak would be at
 //! the entry, vanishes as θ0 nears θ1. θ0 does not depend on the sinkage: the more skid, the deeper the wheel digs itself in at
 //! least. Departures: the exit is where the contact has it (the paper: θ2 = 0). On a locked wheel E is what endless displacement
 //! leaves, + ahead and − behind. As s → 0 the law has its largest stress at the lowest point and all shear forward, which is
-//! not the rolling wheel of the other law: results jump at s = 0. The paper is about skids of 5 % and more.
+//! not the rolling wheel of the other law: results jump at s = 0. Madsen takes the law for skids above 5 %.
 
 use crate::numerics::circular::{ArcMeans, HalfArc};
 use crate::slip::Slip;
