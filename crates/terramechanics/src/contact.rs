@@ -120,6 +120,8 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::ReversalOutsideContact`] where there is no room for both.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn angles_parted_at(&self, reversal: f64, depth_ratio: f64) -> Result<Angles, Error> {
         let entry = angle_at_depth(depth_ratio);
         let exit = self.params.exit_ratio * entry;

@@ -30,10 +30,8 @@ impl StressProfile {
     #[must_use]
     pub fn of(patch: &ContactPatch<'_>, points: usize, peak_depth: PeakDepth) -> Self {
         let Angles { entry, peak, exit } = patch.angles;
-        let linear_peak = match patch.zones {
-            None => peak_stresses(patch, peak_depth),
-            Some(_) => Stresses { normal: f64::NAN, shear: f64::NAN },
-        };
+        let linear_peak =
+            if patch.has_two_zones() { Stresses { normal: f64::NAN, shear: f64::NAN } } else { peak_stresses(patch, peak_depth) };
         let steps = points.max(Self::FEWEST_POINTS) - 1;
         let rear_steps = ((steps as f64 * (peak - exit) / (entry - exit)).round() as usize).clamp(1, steps - 1);
         let column = || Vec::with_capacity(steps + 1);

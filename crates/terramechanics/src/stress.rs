@@ -96,18 +96,14 @@ impl Rolling<'_> {
             return Err(Error::SinkageOutsideWheel { sinkage, radius });
         }
         let depth_ratio = sinkage / radius;
-        let (angles, zones) = match self.reversal {
-            None => (self.system.contact.angles(depth_ratio, self.slip)?, None),
-            Some(reversal) => {
-                let angles = self.system.contact.angles_parted_at(reversal, depth_ratio)?;
-                (angles, Some(Zones::new(angles.entry, reversal)))
-            }
+        let angles = match self.reversal {
+            None => self.system.contact.angles(depth_ratio, self.slip)?,
+            Some(reversal) => self.system.contact.angles_parted_at(reversal, depth_ratio)?,
         };
         Ok(ContactPatch {
             rolling: self,
             sinkage,
             angles,
-            zones,
             sin_entry: (depth_ratio * (2.0 - depth_ratio)).sqrt(),
             cos_entry: 1.0 - depth_ratio, // Eq. (3) at θ = 0
         })
@@ -148,8 +144,6 @@ pub struct ContactPatch<'a> {
     pub sinkage: f64,
     /// Characteristic angles.
     pub angles: Angles,
-    /// The zones of a braking wheel, where its law has two.
-    pub(crate) zones: Option<Zones>,
     sin_entry: f64,
     cos_entry: f64,
 }
@@ -183,7 +177,13 @@ impl ContactPatch<'_> {
     /// Whether it is the contact of a braking wheel with two zones.
     #[must_use]
     pub fn has_two_zones(&self) -> bool {
-        self.zones.is_some()
+        self.rolling.reversal.is_some()
+    }
+
+    /// The zones of a braking wheel, where its law has two.
+    #[inline]
+    pub(crate) fn zones(&self) -> Option<Zones> {
+        self.rolling.reversal.map(|reversal| Zones::new(self.angles.entry, reversal))
     }
 
     /// Depth that presses on the rim at `theta` (rad) in [θ2, θ1], in (m): the geometric one ahead of the peak, its mirror
@@ -240,7 +240,7 @@ impl ContactPatch<'_> {
     /// E (–) at a place of the rim.
     #[inline]
     pub(crate) fn mobilisation(&self, point: &RimPoint) -> f64 {
-        match &self.zones {
+        match self.zones() {
             None => self.mobilisation_of_one_zone(point),
             Some(zones) => zones.mobilisation(self, point),
         }
@@ -258,7 +258,7 @@ impl ContactPatch<'_> {
     /// negative in the rear one.
     #[must_use]
     pub fn shear_displacement(&self, theta: f64) -> f64 {
-        if let Some(zones) = &self.zones {
+        if let Some(zones) = self.zones() {
             zones.displacement(self, &self.rim_point(self.angles.entry - theta))
         } else if self.rolling.slip.is_locked() {
             f64::NEG_INFINITY
@@ -319,7 +319,7 @@ impl ContactPatch<'_> {
         }
         // θ* = arccos(1 + s), written for small slip.
         let turning = 2.0 * (-0.5 * slip.ratio()).sqrt().asin();
-        if self.zones.is_some() {
+        if self.has_two_zones() {
             self.push_reversal_between(-turning, exit, &mut reversals); // j falls from θ0 on, until it turns
             return reversals;
         }

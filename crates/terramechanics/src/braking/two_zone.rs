@@ -30,6 +30,8 @@ use crate::stress::{ContactPatch, RimPoint};
 /// θ0 (rad) of a wheel at s < 0.
 ///
 /// With t = tan(θ0/2) the condition is (2 + s) t² + 2 m t + s = 0, whose positive root has no cancellation.
+#[cold]
+#[inline(never)]
 pub(super) fn reversal(slip: Slip, tan_friction: f64) -> f64 {
     let skid = -slip.ratio();
     let m = 1.0 / (tan_friction + tan_friction.hypot(1.0)); // tan(π/4 − φ/2)
@@ -49,6 +51,8 @@ pub(crate) struct Zones {
 
 impl Zones {
     /// The zones of a contact that enters the soil at `entry` and parts at `reversal` (rad).
+    #[cold]
+    #[inline(never)]
     pub(crate) fn new(entry: f64, reversal: f64) -> Self {
         Self { reversal, half_front: 0.5 * (entry - reversal), sin: reversal.sin(), cos: reversal.cos() }
     }

@@ -134,7 +134,7 @@ impl ForceModel {
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<Forces, Error> {
         let forces = match self.method {
             Method::Quadrature => quadrature::forces(self, patch),
-            Method::Linearised { .. } | Method::Explicit { .. } if patch.zones.is_some() => {
+            Method::Linearised { .. } | Method::Explicit { .. } if patch.has_two_zones() => {
                 return Err(Error::ClosedFormOfTwoZones);
             }
             Method::Linearised { peak_depth } => linearised::forces(self, patch, peak_depth),

@@ -28,8 +28,12 @@ use crate::stress::{ContactPatch, RimPoint};
 /// Panels after which no more are halved.
 const PANELS: usize = 48;
 
-/// Both ends, and a layer of shear and two reversals, or of two zones three layers and a reversal.
-const MOST_EDGES: usize = 6;
+/// Panels to begin with at the most: parted by a layer of shear and two reversals, or by three layers and a reversal.
+const FEW_OF_ONE_ZONE: usize = 4;
+const FEW_OF_TWO_ZONES: usize = 5;
+
+/// Ends of so many panels.
+const MOST_EDGES: usize = FEW_OF_TWO_ZONES + 1;
 
 /// Layers of [`ContactPatch::shear_layer`] after which E is saturated: e^−20 = 2e-9 of a small share is left.
 const LAYERS: f64 = 20.0;
@@ -48,9 +52,9 @@ const ROUNDING: f64 = 2e-15;
 
 pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>) -> Forces {
     let wheel = &patch.rolling.system.wheel;
-    let integrals = match &patch.zones {
-        None => integrate(&Rim::of(patch, OneZone(patch))),
-        Some(zones) => integrate(&Rim::of(patch, TwoZones(patch, zones))),
+    let integrals = match patch.zones() {
+        None => integrate::<_, FEW_OF_ONE_ZONE>(&Rim::of(patch, OneZone(patch))),
+        Some(zones) => integrate_zones(patch, &zones),
     };
     let normal = model.normal_stress_radius(wheel) * wheel.width();
     let shear = wheel.shearing_radius() * wheel.width();
@@ -124,15 +128,23 @@ struct Panel {
     sums: Sums,
 }
 
-fn integrate<S: Shearing>(rim: &Rim<'_, S>) -> Sums {
+/// The integrals, from at most `FEW` panels to begin with.
+fn integrate<S: Shearing, const FEW: usize>(rim: &Rim<'_, S>) -> Sums {
     let (edges, count) = rim.edges();
-    let mut few = [Panel::default(); MOST_EDGES - 1];
+    let mut few = [Panel::default(); FEW];
     let panels = &mut few[..count - 1];
     for (panel, edge) in panels.iter_mut().zip(edges.windows(2)) {
         *panel = rim.panel(edge[0], edge[1]);
     }
     let total = total(panels);
     if total.relative_error() <= TOLERANCE { total } else { refine(rim, panels) }
+}
+
+/// The integrals of a contact of two zones. Apart, so that other contacts do not carry its code along.
+#[cold]
+#[inline(never)]
+fn integrate_zones(patch: &ContactPatch<'_>, zones: &Zones) -> Sums {
+    integrate::<_, FEW_OF_TWO_ZONES>(&Rim::of(patch, TwoZones(patch, zones)))
 }
 
 fn total(panels: &[Panel]) -> Sums {
