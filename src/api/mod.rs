@@ -10,6 +10,7 @@ mod resistances;
 mod responses;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
 mod validation;
 
 use utoipa_axum::router::OpenApiRouter;
@@ -26,6 +27,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(compare::compare))
         .routes(routes!(coupled::coupled))
         .routes(routes!(resistances::resistances))
+        .routes(routes!(towed::towed))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

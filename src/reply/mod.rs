@@ -6,6 +6,7 @@ mod forces;
 mod resistances;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
 mod validation;
 mod warning;
 
@@ -15,6 +16,7 @@ pub(crate) use forces::ForcesReply;
 pub(crate) use resistances::ResistancesReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;
+pub(crate) use towed::TowedReply;
 pub(crate) use validation::ValidationSet;
 pub(crate) use warning::{RowCautions, Warning};
 

@@ -11,6 +11,7 @@ mod resistances;
 mod slip_sweep;
 mod soil;
 mod stress_profile;
+mod towed;
 mod wheel;
 
 pub(crate) use catalogue::{SoilsDto, WheelsDto};
@@ -24,6 +25,7 @@ pub(crate) use resistances::{ResistancesDto, ResistancesQuery};
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};
 pub(crate) use soil::{LAWS, SHEAR_LAWS, SoilDto};
 pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
+pub(crate) use towed::{TowedDto, TowedQuery};
 pub(crate) use wheel::WheelDto;
 
 use std::cell::RefCell;

@@ -1,6 +1,7 @@
 //! The service as its clients see it: files mirror `src/api`.
 
 mod asking;
+mod braking;
 mod catalogue;
 mod compare;
 mod contract;
@@ -16,5 +17,6 @@ mod resistances;
 mod server;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
 mod validation;
 mod warnings;
