@@ -1,0 +1,29 @@
+//! Parameters of soil and contact from measurements, with an honest account of what the measurements cannot tell.
+//!
+//! [`fit()`] finds any of the model's parameters from measured forces, torque and sinkage over slip, with any of the three
+//! methods of the crate `terramechanics` as the forward model.
+//!
+//! SI units and radians throughout, slip as in the model.
+
+mod design;
+mod error;
+mod fit;
+mod loss;
+mod observations;
+mod problem;
+mod search;
+mod setup;
+mod student;
+mod uncertainty;
+mod unknown;
+
+pub use design::DesignGap;
+pub use error::FitError;
+pub use fit::{Bound, Estimate, Fit, FitOptions, FittedColumn, Identifiability, MOST_STARTS, fit};
+pub use loss::Loss;
+pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};
+pub use problem::Sought;
+pub use search::StopReason;
+pub use setup::{Setup, SinkageSource};
+pub use student::quantile_95;
+pub use unknown::{Range, Unknown};
