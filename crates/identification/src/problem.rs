@@ -78,12 +78,7 @@ pub(crate) struct Problem<'a> {
 }
 
 impl<'a> Problem<'a> {
-    pub(crate) fn new(
-        setup: Setup,
-        observations: &'a Observations,
-        sought: &[Sought],
-        budget: u64,
-    ) -> Result<Self, FitError> {
+    pub(crate) fn new(setup: Setup, observations: &'a Observations, sought: &[Sought], budget: u64) -> Result<Self, FitError> {
         if sought.is_empty() {
             return Err(FitError::NothingToFit);
         }
@@ -290,11 +285,9 @@ impl<'a> Problem<'a> {
                         .zip(&far)
                         .map(|((&here, &near), &far)| combined(&[(near, 4.0), (here, -3.0), (far, -1.0)], 2.0 * side * step))
                         .collect(),
-                    _ => here
-                        .iter()
-                        .zip(&near)
-                        .map(|(&here, &near)| combined(&[(near, 1.0), (here, -1.0)], side * step))
-                        .collect(),
+                    _ => {
+                        here.iter().zip(&near).map(|(&here, &near)| combined(&[(near, 1.0), (here, -1.0)], side * step)).collect()
+                    }
                 }
             }
         };

@@ -25,7 +25,7 @@ pub enum StopReason {
     ExactFit,
     /// The evaluations were spent before the search ended.
     Budget,
-    /// Every step around the best values leads to where the model has no answer.
+    /// The search would go on, but every step leads to where the model has no answer.
     ModelRefuses,
     /// Numbers overflowed.
     NotFinite,
@@ -62,6 +62,9 @@ const TOLERANCE: f64 = 1e-14;
 /// Share of the scale of a residual's derivative below which it does not push.
 const PUSH: f64 = 1e-12;
 
+/// Cosine between residuals and a derivative above which a search that the model stopped had further to go.
+const UPHILL: f64 = 1e-6;
+
 /// The minimum that is reached from `start`.
 pub(crate) fn from_start(problem: &Problem<'_>, start: &[f64]) -> Result<Found, Obstacle> {
     let mut values = start.to_vec();
@@ -88,13 +91,17 @@ pub(crate) fn from_start(problem: &Problem<'_>, start: &[f64]) -> Result<Found, 
             values: values.clone(),
             point: DVector::from_iterator(free.len(), free.iter().map(|&i| problem.scaled(&values)[i])),
             obstacle: Cell::new(None),
+            refused: Cell::new(false),
             iterations: Cell::new(0),
         };
         let search = LevenbergMarquardt::new().with_ftol(TOLERANCE).with_xtol(TOLERANCE).with_patience(60).with_stepbound(10.0);
         let (adapter, report) = search.minimize(adapter);
-        iterations += adapter.iterations.get();
         let reached = adapter.current();
+        iterations += adapter.iterations.get();
         stop = reason(&report.termination, adapter.obstacle.get());
+        if stop.is_success() && adapter.refused.get() && adapter.steepness().is_some_and(|cosine| cosine > UPHILL) {
+            stop = StopReason::ModelRefuses;
+        }
         let reached_cost = match cost_at(problem, &reached) {
             Ok(cost) => cost,
             Err(Obstacle::Budget) => {
@@ -175,6 +182,8 @@ struct Adapter<'a> {
     point: DVector<f64>,
     /// What ended the search, where it was not the method.
     obstacle: Cell<Option<Obstacle>>,
+    /// Whether the model has refused a step since derivatives were last taken.
+    refused: Cell<bool>,
     iterations: Cell<u32>,
 }
 
@@ -187,6 +196,17 @@ impl Adapter<'_> {
             values[i] = self.problem.scales[i].outward(self.point[place]).clamp(bounds.lower, bounds.upper);
         }
         values
+    }
+
+    /// The largest cosine between the residuals and a derivative; none where there are no derivatives or nothing is left.
+    fn steepness(&self) -> Option<f64> {
+        let residuals = self.residuals()?;
+        let jacobian = self.jacobian()?;
+        let cosine = |column: nalgebra::DVectorView<'_, f64>| {
+            let scale = column.norm() * residuals.norm();
+            if scale > 0.0 { column.dot(&residuals).abs() / scale } else { 0.0 }
+        };
+        Some(jacobian.column_iter().map(|column| cosine(column.as_view())).fold(0.0, f64::max))
     }
 
     /// Whether the point lies beyond a bound of the unknown at `place`, where nothing changes any more.
@@ -222,6 +242,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Adapter<'_> {
                 None
             }
             Err(Obstacle::Row { .. } | Obstacle::Values) => {
+                self.refused.set(true);
                 let rows = self.problem.measured_count().max(self.problem.sought.len());
                 Some(DVector::from_element(rows, REFUSED))
             }
@@ -230,6 +251,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Adapter<'_> {
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         self.iterations.set(self.iterations.get() + 1);
+        self.refused.set(false);
         let values = self.current();
         let derivatives = self.problem.predictions(&values).and_then(|base| {
             let residuals = self.problem.weighted(&base);

@@ -148,9 +148,8 @@ impl Uncertainty {
     /// The other unknowns that a dead direction moves together with `i`.
     pub(crate) fn moved_with(&self, i: usize) -> Vec<usize> {
         let directions = self.dead_directions.iter().filter(|direction| direction[i].abs() > PART);
-        let mut others: Vec<usize> = directions
-            .flat_map(|direction| (0..direction.len()).filter(move |&k| k != i && direction[k].abs() > 0.05))
-            .collect();
+        let mut others: Vec<usize> =
+            directions.flat_map(|direction| (0..direction.len()).filter(move |&k| k != i && direction[k].abs() > 0.05)).collect();
         others.sort_unstable();
         others.dedup();
         others

@@ -187,8 +187,7 @@ impl Unknown {
     #[must_use]
     pub fn replaced(self, setup: &Setup, value: f64) -> Setup {
         let mut changed = *setup;
-        if let Some(place) =
-            self.place(&mut changed.soil, &mut changed.contact, &mut changed.model.method, &mut changed.sinkage)
+        if let Some(place) = self.place(&mut changed.soil, &mut changed.contact, &mut changed.model.method, &mut changed.sinkage)
         {
             *place = value;
         }
