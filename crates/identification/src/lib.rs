@@ -3,11 +3,15 @@
 //! [`fit()`] finds any of the model's parameters from measured forces, torque and sinkage over slip, with any of the three
 //! methods of the crate `terramechanics` as the forward model.
 //!
+//! [`linear_strength`] and [`RunningStrength`] find cohesion and friction alone, in one pass, from torque, load, slip and
+//! sinkage (Iagnemma et al. 2004).
+//!
 //! SI units and radians throughout, slip as in the model.
 
 mod design;
 mod error;
 mod fit;
+mod linear;
 mod loss;
 mod observations;
 mod problem;
@@ -20,6 +24,7 @@ mod unknown;
 pub use design::DesignGap;
 pub use error::FitError;
 pub use fit::{Bound, Estimate, Fit, FitOptions, FittedColumn, Identifiability, MOST_STARTS, fit};
+pub use linear::{RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StressPoint, linear_strength};
 pub use loss::Loss;
 pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};
 pub use problem::Sought;

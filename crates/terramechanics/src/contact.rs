@@ -68,6 +68,12 @@ impl Contact {
         Ok(Self { params })
     }
 
+    /// The parameters it was made of.
+    #[must_use]
+    pub fn params(&self) -> &ContactParams {
+        &self.params
+    }
+
     /// Angles of a contact whose sinkage is `depth_ratio` = z/r, in 0 < z/r ≤ 1.
     ///
     /// # Errors

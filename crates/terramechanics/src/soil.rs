@@ -47,6 +47,12 @@ impl Soil {
         Ok(Self { params, tan_friction: params.friction_angle.tan(), per_shear_scale: 1.0 / params.shear.scale() })
     }
 
+    /// The parameters it was made of.
+    #[must_use]
+    pub fn params(&self) -> &SoilParams {
+        &self.params
+    }
+
     /// Cohesion c (Pa).
     #[must_use]
     pub fn cohesion(&self) -> f64 {
