@@ -12,6 +12,7 @@ use tokio::sync::Semaphore;
 use crate::extract::Format;
 use crate::problem::Problem;
 use crate::reply::{Reply, csv};
+use crate::request::IdentifyQuery;
 
 /// What a computation costs at the worst, in nanoseconds on a machine of 2026.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
@@ -32,6 +33,14 @@ impl Cost {
     /// Of `points` operating points by each of several methods.
     pub(crate) fn of_comparison(operations: &[Operation], points: usize) -> Self {
         Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())
+    }
+
+    /// Of an identification: a line through the samples, or a search that may spend its evaluations.
+    pub(crate) fn of_identification(query: &IdentifyQuery) -> Self {
+        match query {
+            IdentifyQuery::Linear(query) => Self(query.observations.slip.len() as f64 * 2_000.0),
+            IdentifyQuery::Fit(query) => Self(query.options.evaluations as f64 * 200.0),
+        }
     }
 
     /// Of reading a request body of `bytes`.

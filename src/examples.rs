@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
-use crate::reply::{CompareReply, ForcesReply, ProfileReply, Reply, SweepReply, csv};
-use crate::request::{CompareDto, ForcesDto, ProfileDto, Request, SweepDto, checked};
+use crate::reply::{CompareReply, ForcesReply, IdentifyReply, ProfileReply, Reply, SweepReply, csv};
+use crate::request::{CompareDto, ForcesDto, IdentifyDto, ProfileDto, Request, SweepDto, checked};
 use crate::wire::read;
 
 /// Digits kept of a number in an example.
@@ -43,7 +43,7 @@ fn set_reply(operation: &mut utoipa::openapi::path::Operation, media_type: &str,
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 4] {
+fn bodies() -> [(&'static str, Value, Answer); 5] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -63,6 +63,20 @@ fn bodies() -> [(&'static str, Value, Answer); 4] {
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": [0.1, 0.3], "sinkage_m": 0.02,
         "methods": ["quadrature", "linearised", "explicit"]
     });
+    // The integrals of the letter's example, computed independently with 401 000 points.
+    let identify = json!({
+        "wheel": {"preset": "letter"}, "soil": {"cohesion_pa": 0},
+        "fit": ["friction_angle_rad", "shear_modulus_m", "k_s", "n0"],
+        "data": {
+            "slip": [0.05, 0.2, 0.5, 0.05, 0.2, 0.5],
+            "sinkage_m": [0.01, 0.01, 0.01, 0.02, 0.02, 0.02],
+            "longitudinal_force_n": [1.031, 6.546, 9.734, 5.911, 16.906, 21.748],
+            "normal_force_n": [32.203, 33.025, 33.601, 87.205, 89.716, 91.117],
+            "torque_n_m": [1.2247, 2.3421, 2.9912, 5.0744, 7.3396, 8.3513]
+        },
+        "bounds": {"shear_modulus_m": [0.001, 0.05]}
+    });
+    let identify_reply = answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::try_from(query).ok());
     let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
@@ -72,6 +86,7 @@ fn bodies() -> [(&'static str, Value, Answer); 4] {
         ("/v1/stress-profile", profile, profile_reply),
         ("/v1/slip-sweep", sweep, sweep_reply),
         ("/v1/compare", compare, compare_reply),
+        ("/v1/identify", identify, identify_reply),
     ]
 }
 

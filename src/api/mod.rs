@@ -3,6 +3,7 @@
 mod catalogue;
 mod compare;
 mod forces;
+mod identify;
 mod model;
 mod operations;
 mod responses;
@@ -21,6 +22,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(stress_profile::stress_profile))
         .routes(routes!(slip_sweep::slip_sweep))
         .routes(routes!(compare::compare))
+        .routes(routes!(identify::identify))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

@@ -2,12 +2,15 @@
 
 mod compare;
 mod forces;
+mod identify;
 mod slip_sweep;
+mod soil;
 mod stress_profile;
 mod warning;
 
 pub(crate) use compare::CompareReply;
 pub(crate) use forces::ForcesReply;
+pub(crate) use identify::IdentifyReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;
 pub(crate) use warning::Warning;

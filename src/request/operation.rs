@@ -73,7 +73,7 @@ wire_object! {
 }
 
 impl SlipSinkageDto {
-    fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
+    pub(super) fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
         self.report_oddities(place);
         self.law().required(place);
         let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));

@@ -17,8 +17,8 @@ pub(crate) use entry::Entry;
 pub(crate) use faults::{FieldFault, Scope};
 pub(crate) use field::{Field, Wire, read};
 pub(crate) use number::{Lambda, LambdaSpec, Number};
-pub(crate) use series::{Each, EachSpec, Names, NamesSpec, Pair, PairSpec, Series, SeriesSpec};
 pub(crate) use object::{Nested, Object, Oddity, Variant, object_schema, read_name, tagged_schema, wire_object};
+pub(crate) use series::{Each, EachSpec, Names, NamesSpec, Pair, PairSpec, Series, SeriesSpec};
 
 use utoipa::openapi::{RefOr, Schema};
 

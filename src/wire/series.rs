@@ -169,7 +169,7 @@ impl Spec for PairSpec {
     fn schema(&self) -> RefOr<Schema> {
         ArrayBuilder::new()
             .description(Some("The lower and the upper bound."))
-            .prefix_items([Schema::from(number_schema(&self.0)), Schema::from(number_schema(&self.0))])
+            .prefix_items([number_schema(&self.0), number_schema(&self.0)])
             .items(utoipa::openapi::schema::ArrayItems::False)
             .min_items(Some(2))
             .max_items(Some(2))

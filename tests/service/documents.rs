@@ -51,6 +51,7 @@ fn the_document_has_the_routes_of_the_api() {
         "get /v1/wheels/{id}",
         "post /v1/compare",
         "post /v1/forces",
+        "post /v1/identify",
         "post /v1/slip-sweep",
         "post /v1/stress-profile",
     ];

@@ -6,6 +6,7 @@ mod compare;
 mod contract;
 mod documents;
 mod forces;
+mod identify;
 mod page;
 mod problems;
 mod readme;

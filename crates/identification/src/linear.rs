@@ -88,8 +88,7 @@ impl StressPoint {
         let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&angles);
         let shear_arm = wheel.shearing_radius();
         let pressing = tan_friction / (radius * wheel.width() * a);
-        let shear =
-            mobilisation * (cohesion + load * pressing) / (1.0 + mobilisation * shear_arm * wheel.width() * b * pressing);
+        let shear = mobilisation * (cohesion + load * pressing) / (1.0 + mobilisation * shear_arm * wheel.width() * b * pressing);
         Ok(shear_arm * shear_arm * wheel.width() * h * shear)
     }
 }
@@ -216,11 +215,14 @@ impl RunningStrength {
         let (cohesion, tan_friction) = match bound {
             None => (cohesion, tan_friction),
             // Of a convex sum of squares with one bound broken, the best is on that bound.
-            Some(StrengthBound::NoCohesion) => (0.0, ((normal_strength + weight * mean_normal * mean_strength) / about_zero).max(0.0)),
+            Some(StrengthBound::NoCohesion) => {
+                (0.0, ((normal_strength + weight * mean_normal * mean_strength) / about_zero).max(0.0))
+            }
             Some(StrengthBound::NoFriction) => (mean_strength.max(0.0), 0.0),
         };
         let (off_mean, slope) = (mean_strength - cohesion - tan_friction * mean_normal, tan_friction);
-        let squares = strength_strength - 2.0 * slope * normal_strength + slope * slope * normal_normal + weight * off_mean * off_mean;
+        let squares =
+            strength_strength - 2.0 * slope * normal_strength + slope * slope * normal_normal + weight * off_mean * off_mean;
         let variance = if freedom > 0.0 { squares.max(0.0) / freedom } else { f64::INFINITY };
         Some(StrengthEstimate {
             cohesion,

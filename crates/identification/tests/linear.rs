@@ -101,8 +101,10 @@ fn cohesion_and_friction_come_back() {
 #[test]
 fn without_forgetting_the_running_estimate_is_the_batch() {
     let mut noise = Noise::seeded(11);
-    let samples: Vec<RollingSample> =
-        cases(60).into_iter().map(|sample| RollingSample { torque: sample.torque * (1.0 + 0.02 * noise.normal()), ..sample }).collect();
+    let samples: Vec<RollingSample> = cases(60)
+        .into_iter()
+        .map(|sample| RollingSample { torque: sample.torque * (1.0 + 0.02 * noise.normal()), ..sample })
+        .collect();
     let (estimate, _) = linear_strength(wheel(0.2, 0.1), 0.02, samples.clone()).expect("samples");
     let estimate = estimate.expect("a line");
     let points: Vec<StressPoint> = samples
