@@ -75,16 +75,18 @@ fn intervals_hold_the_truth_as_often_as_they_say_without_known_deviations() {
 fn a_robust_loss_holds_against_outliers_that_ruin_least_squares() {
     let truth = truth(Method::EXPLICIT, SinkageSource::Measured);
     let clean = measured(&truth, &programme(40));
-    let spoilt = with_noise(&clean, 5, false, true);
-    let error_of = |loss: Loss| {
+    // Of one data set a loss may come out well or badly by chance, so twenty are taken.
+    let error_of = |loss: Loss| -> f64 {
         let options = FitOptions { loss, ..FitOptions::default() };
-        let found = fit(&truth, &spoilt, &five(&truth), &options).expect("a fit");
-        assert!(found.converged());
-        (found.estimates[1].value - 0.55).abs()
+        let error = |seed: u64| {
+            let found = fit(&truth, &with_noise(&clean, seed, false, true), &five(&truth), &options).expect("a fit");
+            assert!(found.converged());
+            (found.estimates[1].value - 0.55).abs()
+        };
+        (0..20).map(error).sum::<f64>() / 20.0
     };
     let ruined = error_of(Loss::LeastSquares);
-    for loss in [Loss::Huber, Loss::SoftL1, Loss::Cauchy] {
-        assert!(error_of(loss) < 0.4 * ruined, "{loss:?}: {} against {ruined}", error_of(loss));
-    }
-    assert!(error_of(Loss::Cauchy) < 0.02);
+    let robust = [Loss::Huber, Loss::SoftL1, Loss::Cauchy].map(error_of);
+    assert!(robust.iter().all(|error| *error < 0.5 * ruined), "{robust:?} against {ruined}");
+    assert!(robust[2] < robust[0], "outliers this far off count next to nothing under Cauchy's loss: {robust:?}");
 }

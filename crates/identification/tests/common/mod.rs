@@ -79,16 +79,15 @@ pub(crate) fn five(setup: &Setup) -> Vec<Sought> {
 pub(crate) struct Noise(u64);
 
 impl Noise {
+    /// Streams of neighbouring seeds have nothing in common: the seed goes through the generator's own mixing, since states one
+    /// increment apart would give the same stream shifted by one.
     pub(crate) fn seeded(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15))
+        Self(mixed(mixed(seed ^ 0xD1B5_4A32_D192_ED03)))
     }
 
     pub(crate) fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        (mixed(self.0) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     pub(crate) fn normal(&mut self) -> f64 {
@@ -101,4 +100,11 @@ impl Noise {
         let column = column.as_mut().expect("a column");
         column.values.iter_mut().for_each(|value| *value += deviation * self.normal());
     }
+}
+
+/// The finalizer of SplitMix64.
+fn mixed(mut z: u64) -> u64 {
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^ (z >> 31)
 }
