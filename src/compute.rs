@@ -43,6 +43,11 @@ impl Cost {
         }
     }
 
+    /// Of fitting curves with `points` points in all: a shear modulus is tried a few hundred times.
+    pub(crate) fn of_curves(points: usize) -> Self {
+        Self(points as f64 * 10_000.0)
+    }
+
     /// Of reading a request body of `bytes`.
     pub(crate) fn of_body(bytes: usize) -> Self {
         Self(bytes as f64 * 8.0)

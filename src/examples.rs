@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
-use crate::reply::{CompareReply, ForcesReply, IdentifyReply, ProfileReply, Reply, SweepReply, csv};
-use crate::request::{CompareDto, ForcesDto, IdentifyDto, ProfileDto, Request, SweepDto, checked};
+use crate::reply::{CompareReply, ForcesReply, IdentifyReply, PlatesReply, ProfileReply, Reply, ShearReply, SweepReply, csv};
+use crate::request::{CompareDto, ForcesDto, IdentifyDto, PlatesDto, ProfileDto, Request, ShearTestsDto, SweepDto, checked};
 use crate::wire::read;
 
 /// Digits kept of a number in an example.
@@ -43,7 +43,7 @@ fn set_reply(operation: &mut utoipa::openapi::path::Operation, media_type: &str,
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 5] {
+fn bodies() -> [(&'static str, Value, Answer); 7] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -77,6 +77,22 @@ fn bodies() -> [(&'static str, Value, Answer); 5] {
         "bounds": {"shear_modulus_m": [0.001, 0.05]}
     });
     let identify_reply = answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::try_from(query).ok());
+    // Dry sand under two plates: Yoshida, Watanabe, Mizuno & Ishigami 2003, Fig. 5, every other point.
+    let plates = json!({
+        "plates": [
+            {"width_m": 0.06, "columns": {"sinkage_m": [0.00071, 0.001116, 0.001829, 0.002538], "pressure_pa": [247, 438, 885, 1291]}},
+            {"width_m": 0.116, "columns": {"sinkage_m": [0.000813, 0.001219, 0.00193, 0.002538], "pressure_pa": [469, 974, 1744, 2465]}}
+        ]
+    });
+    // (500 Pa + 0.6 σ)(1 − exp(−j/10 mm)), to the nearest 10 Pa.
+    let shear = json!({
+        "curves": [
+            {"normal_stress_pa": 2000, "columns": {"displacement_m": [0.005, 0.01, 0.02, 0.04], "shear_stress_pa": [670, 1070, 1470, 1670]}},
+            {"normal_stress_pa": 8000, "columns": {"displacement_m": [0.005, 0.01, 0.02, 0.04], "shear_stress_pa": [2090, 3350, 4580, 5200]}}
+        ]
+    });
+    let plates_reply = answer::<PlatesDto, _>(&plates, |query| PlatesReply::try_from(query).ok());
+    let shear_reply = answer::<ShearTestsDto, _>(&shear, |query| ShearReply::try_from(query).ok());
     let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
@@ -87,6 +103,8 @@ fn bodies() -> [(&'static str, Value, Answer); 5] {
         ("/v1/slip-sweep", sweep, sweep_reply),
         ("/v1/compare", compare, compare_reply),
         ("/v1/identify", identify, identify_reply),
+        ("/v1/identify/plates", plates, plates_reply),
+        ("/v1/identify/shear", shear, shear_reply),
     ]
 }
 

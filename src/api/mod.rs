@@ -23,6 +23,8 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(slip_sweep::slip_sweep))
         .routes(routes!(compare::compare))
         .routes(routes!(identify::identify))
+        .routes(routes!(identify::plates))
+        .routes(routes!(identify::shear))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

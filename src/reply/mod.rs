@@ -1,6 +1,7 @@
 //! Answers as they stand on the wire, made from what the model returns.
 
 mod compare;
+mod curves;
 mod forces;
 mod identify;
 mod slip_sweep;
@@ -9,6 +10,7 @@ mod stress_profile;
 mod warning;
 
 pub(crate) use compare::CompareReply;
+pub(crate) use curves::{PlatesReply, ShearReply};
 pub(crate) use forces::ForcesReply;
 pub(crate) use identify::IdentifyReply;
 pub(crate) use slip_sweep::SweepReply;

@@ -3,6 +3,7 @@
 mod axis;
 mod compare;
 mod contact;
+mod curves;
 mod forces;
 mod identify;
 mod operation;
@@ -13,6 +14,7 @@ mod wheel;
 
 pub(crate) use compare::{CompareDto, CompareQuery};
 pub(crate) use contact::{ContactDto, RULES};
+pub(crate) use curves::{PlatesDto, PlatesQuery, ShearTestsDto, ShearTestsQuery, plates_fault, shear_fault};
 pub(crate) use forces::{ForcesDto, ForcesQuery};
 pub(crate) use identify::{FitQuery, IdentifyDto, IdentifyQuery, LinearQuery, column_name, fit_fault, name_of, refusal_pointer};
 pub(crate) use operation::SlipSinkageDto;

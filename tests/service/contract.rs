@@ -126,6 +126,10 @@ fn bounded_numbers(
 
 /// A request around the field in which both its bounds are physically possible.
 fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
+    if let Some(mut body) = curves(path) {
+        set(&mut body, &field.pointer, &field.schema, value);
+        return body;
+    }
     let sweep = path == "/v1/slip-sweep" || path == "/v1/compare";
     let slip = |slip: f64| if sweep { json!({"from": slip, "to": slip, "points": 2}) } else { json!(slip) };
     let mut body = with(&letter(), json!({"slip": slip(0.0)}));
@@ -194,6 +198,18 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
     }
     set(&mut body, &field.pointer, &field.schema, value);
     body
+}
+
+/// Curves of two tests, for the operations that take them.
+fn curves(path: &str) -> Option<Value> {
+    let plate =
+        |width: f64| json!({"width_m": width, "columns": {"sinkage_m": [0.01, 0.02, 0.03], "pressure_pa": [8e3, 2e4, 3e4]}});
+    let test = |normal: f64| json!({"normal_stress_pa": normal, "columns": {"displacement_m": [0.01, 0.02, 0.03], "shear_stress_pa": [0.4 * normal, 0.5 * normal, 0.6 * normal]}});
+    match path {
+        "/v1/identify/plates" => Some(json!({"plates": [plate(0.1), plate(0.2)]})),
+        "/v1/identify/shear" => Some(json!({"curves": [test(1e3), test(5e3)]})),
+        _ => None,
+    }
 }
 
 /// The request for forces `body` as a fit to two samples in which the field at `pointer` may have its bounds.

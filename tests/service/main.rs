@@ -4,6 +4,7 @@ mod asking;
 mod catalogue;
 mod compare;
 mod contract;
+mod curves;
 mod documents;
 mod forces;
 mod identify;

@@ -178,7 +178,7 @@ pub fn fit_shear_curves(curves: &[ShearCurve]) -> Result<ShearFit, ShearError> {
     let points = Points { list: points.collect(), unit };
     let has_shear = points.list.iter().any(|&(_, displacement, shear)| displacement > 0.0 && shear > 0.0);
     let law = points.best();
-    if !has_shear || law.cohesion + law.tan_friction <= 0.0 {
+    if !has_shear {
         return Err(ShearError::NoShear);
     }
     Ok(report(curves, &points, &law))

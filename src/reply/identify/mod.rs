@@ -2,7 +2,7 @@
 
 mod columns;
 mod linear;
-mod words;
+pub(super) mod words;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -61,7 +61,7 @@ pub(crate) struct IdentifyReply {
 /// What was found of one parameter.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = ParameterEstimate)]
-struct EstimateReply {
+pub(super) struct EstimateReply {
     /// Its name.
     #[schema(example = "cohesion_pa")]
     parameter: &'static str,

@@ -5,7 +5,7 @@ use terramechanics_identification::{Bound, DesignGap, Estimate, Identifiability,
 use crate::request::name_of;
 
 /// A number in four digits.
-pub(super) fn number(value: f64) -> String {
+pub(in crate::reply) fn number(value: f64) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-3..1e6).contains(&size) {
         return format!("{value:.3e}");
