@@ -2,6 +2,8 @@
 //!
 //! Numbers of replies are rounded, so that the document does not depend on the last bit of a machine's library.
 
+use std::time::Duration;
+
 use serde_json::{Value, json};
 use utoipa::openapi::{OpenApi, RefOr};
 
@@ -76,7 +78,7 @@ fn bodies() -> [(&'static str, Value, Answer); 7] {
         },
         "bounds": {"shear_modulus_m": [0.001, 0.05]}
     });
-    let identify_reply = answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::try_from(query).ok());
+    let identify_reply = answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::of(query, Duration::from_secs(60)).ok());
     // Dry sand under two plates: Yoshida, Watanabe, Mizuno & Ishigami 2003, Fig. 5, every other point.
     let plates = json!({
         "plates": [

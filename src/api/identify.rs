@@ -29,8 +29,9 @@ pub(crate) async fn identify(
     Input(query): Input<IdentifyDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_identification(&query);
+    let patience = service.limits().compute_deadline;
     let work = move || {
-        let reply = IdentifyReply::try_from(&query).map_err(Problem::Invalid)?;
+        let reply = IdentifyReply::of(&query, patience).map_err(Problem::Invalid)?;
         written(&reply, format)
     };
     service.pool().run(cost, work).await

@@ -1,5 +1,7 @@
 //! Which parameters of soil and contact explain measured forces? A nonlinear least-squares fit, with what it cannot tell.
 
+use std::time::Instant;
+
 use terramechanics::Error;
 
 use crate::design::{self, DesignGap};
@@ -24,11 +26,13 @@ pub struct FitOptions {
     pub loss: Loss,
     /// Evaluations of the forces after which the fit ends and says so.
     pub evaluations: u64,
+    /// When it ends at the latest and says so; without one the result is the same on every machine.
+    pub until: Option<Instant>,
 }
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { starts: 1, loss: Loss::LeastSquares, evaluations: 20_000_000 }
+        Self { starts: 1, loss: Loss::LeastSquares, evaluations: 20_000_000, until: None }
     }
 }
 
@@ -157,7 +161,7 @@ const SAME_COST: f64 = 1e-6;
 /// # Errors
 /// [`FitError`], where there is nothing that could be fitted.
 pub fn fit(setup: &Setup, observations: &Observations, sought: &[Sought], options: &FitOptions) -> Result<Fit, FitError> {
-    let mut problem = Problem::new(*setup, observations, sought, options.evaluations)?;
+    let mut problem = Problem::new(*setup, observations, sought, options)?;
     let (mut best, mut others) = search(&problem, options.starts.clamp(1, MOST_STARTS))?;
     if options.loss != Loss::LeastSquares {
         problem.loss = options.loss;
@@ -184,6 +188,7 @@ fn search(problem: &Problem<'_>, starts: u32) -> Result<(Found, Vec<Found>), Fit
     let own: Vec<f64> = problem.sought.iter().map(|one| one.start).collect();
     let mut found: Vec<Found> = Vec::new();
     let mut refusal: Option<(usize, Error)> = None;
+    let mut is_cut = false;
     // Where the model refuses the data at the start itself, others are looked for even if one was asked for.
     for number in 0..MOST_STARTS {
         if number >= starts && !found.is_empty() {
@@ -194,15 +199,21 @@ fn search(problem: &Problem<'_>, starts: u32) -> Result<(Found, Vec<Found>), Fit
             Ok(end) => found.push(end),
             Err(Obstacle::Row { row, error }) => refusal = refusal.or(Some((row, error))),
             Err(Obstacle::Values) => {}
-            Err(Obstacle::Budget) => break,
+            Err(Obstacle::Budget) => {
+                is_cut = true;
+                break;
+            }
         }
     }
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let mut found = found.into_iter();
-    let best = found.next().ok_or_else(|| {
+    let mut best = found.next().ok_or_else(|| {
         let (row, error) = refusal.unwrap_or((0, Error::NotFinite));
-        FitError::Refused { row, error }
+        if is_cut { FitError::OutOfBudget } else { FitError::Refused { row, error } }
     })?;
+    if is_cut {
+        best.stop = StopReason::Budget; // not all starts that were asked for
+    }
     let level = (best.cost * (1.0 + SAME_COST)).max(f64::from(u8::MAX) * f64::EPSILON * f64::EPSILON * problem.samples() as f64);
     let others = found.filter(|end| end.stop.is_success() && end.cost <= level).collect();
     Ok((best, others))

@@ -7,11 +7,13 @@
 //! sinkage without solving again.
 
 use std::cell::Cell;
+use std::time::Instant;
 
 use nalgebra::{DMatrix, DVector};
 use terramechanics::{Error, InvalidInput, Sinkage, Slip};
 
 use crate::error::FitError;
+use crate::fit::FitOptions;
 use crate::loss::Loss;
 use crate::observations::{Observations, Quantity};
 use crate::setup::{Prediction, Setup, SinkageSource};
@@ -74,11 +76,18 @@ pub(crate) struct Problem<'a> {
     pub(crate) loss: Loss,
     /// Evaluations of the forces that are left.
     budget: Cell<u64>,
+    /// When the fit ends at the latest.
+    until: Option<Instant>,
     spent: Cell<u64>,
 }
 
 impl<'a> Problem<'a> {
-    pub(crate) fn new(setup: Setup, observations: &'a Observations, sought: &[Sought], budget: u64) -> Result<Self, FitError> {
+    pub(crate) fn new(
+        setup: Setup,
+        observations: &'a Observations,
+        sought: &[Sought],
+        options: &FitOptions,
+    ) -> Result<Self, FitError> {
         if sought.is_empty() {
             return Err(FitError::NothingToFit);
         }
@@ -100,9 +109,9 @@ impl<'a> Problem<'a> {
         let fitted = observations.fitted(&setup.sinkage);
         let weights = fitted.iter().filter_map(|&quantity| observations.column(quantity)).flat_map(weights_of).collect();
         let scales = sought.iter().map(|one| one.unknown.scale(&one.bounds, one.start)).collect();
-        let (budget, spent) = (Cell::new(budget), Cell::new(0));
+        let (budget, until, spent) = (Cell::new(options.evaluations), options.until, Cell::new(0));
         let loss = Loss::LeastSquares;
-        Ok(Self { setup, observations, sought: sought.to_vec(), scales, fitted, weights, loss, budget, spent })
+        Ok(Self { setup, observations, sought: sought.to_vec(), scales, fitted, weights, loss, budget, until, spent })
     }
 
     /// The same problem with evaluations enough for one set of predictions and of derivatives.
@@ -117,6 +126,7 @@ impl<'a> Problem<'a> {
             weights: self.weights.clone(),
             loss: self.loss,
             budget: Cell::new(evaluations),
+            until: None,
             spent: self.spent.clone(),
         }
     }
@@ -153,6 +163,9 @@ impl<'a> Problem<'a> {
     }
 
     fn spend(&self, evaluations: u64) -> Result<(), Obstacle> {
+        if self.until.is_some_and(|until| Instant::now() > until) {
+            return Err(Obstacle::Budget);
+        }
         let left = self.budget.get().checked_sub(evaluations).ok_or(Obstacle::Budget)?;
         self.budget.set(left);
         self.spent.set(self.spent.get() + evaluations);

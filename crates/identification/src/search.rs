@@ -23,7 +23,7 @@ pub enum StopReason {
     Stationary,
     /// The model meets the data exactly.
     ExactFit,
-    /// The evaluations were spent before the search ended.
+    /// The evaluations or the time were spent before the search ended.
     Budget,
     /// The search would go on, but every step leads to where the model has no answer.
     ModelRefuses,

@@ -161,3 +161,18 @@ fn an_estimate_at_its_bound_is_there_exactly_and_says_so() {
     let found = fitted(&truth, &observations, &sought);
     assert!((found.estimates[1].value - 0.55).abs() < RECOVERED && found.estimates[0].value.abs() < 1e-3);
 }
+
+#[test]
+fn a_search_that_runs_out_of_evaluations_or_time_says_so() {
+    let truth = truth(Method::LINEARISED, SinkageSource::Measured);
+    let observations = measured(&truth, &programme(40));
+    let soon = FitOptions { evaluations: 1500, ..FitOptions::default() };
+    let now = std::time::Instant::now() + std::time::Duration::from_millis(1);
+    let late = FitOptions { until: Some(now), starts: 32, ..FitOptions::default() };
+    for options in [soon, late] {
+        match fit(&truth, &observations, &five(&truth), &options) {
+            Ok(found) => assert!(found.stop == StopReason::Budget && !found.converged(), "{:?}", found.stop),
+            Err(error) => assert_eq!(error, terramechanics_identification::FitError::OutOfBudget),
+        }
+    }
+}

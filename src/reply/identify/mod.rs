@@ -6,9 +6,10 @@ pub(super) mod words;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
 
 use serde::Serialize;
-use terramechanics_identification::{Bound, Estimate, Fit, fit};
+use terramechanics_identification::{Bound, Estimate, Fit, FitOptions, fit};
 use utoipa::ToSchema;
 
 use self::columns::IdentifyColumns;
@@ -76,21 +77,25 @@ pub(super) struct EstimateReply {
     identifiability: String,
 }
 
-impl TryFrom<&IdentifyQuery> for IdentifyReply {
-    type Error = Vec<FieldFault>;
+/// Share of the time for a computation that a search may take; the rest is for its report and for writing it.
+const SEARCHING: f64 = 0.7;
 
-    fn try_from(query: &IdentifyQuery) -> Result<Self, Self::Error> {
+impl IdentifyReply {
+    /// The answer, with a search that ends within its share of `patience`.
+    ///
+    /// # Errors
+    /// What of the request the model or the data do not allow.
+    pub(crate) fn of(query: &IdentifyQuery, patience: Duration) -> Result<Self, Vec<FieldFault>> {
         match query {
-            IdentifyQuery::Fit(query) => Self::of_fit(query),
+            IdentifyQuery::Fit(query) => Self::of_fit(query, Instant::now() + patience.mul_f64(SEARCHING)),
             IdentifyQuery::Linear(query) => Self::of_line(query).map_err(|fault| vec![fault]),
         }
     }
-}
 
-impl IdentifyReply {
-    fn of_fit(query: &FitQuery) -> Result<Self, Vec<FieldFault>> {
+    fn of_fit(query: &FitQuery, until: Instant) -> Result<Self, Vec<FieldFault>> {
         let FitQuery { setup, observations, sought, options, .. } = query;
-        let found = fit(setup, observations, sought, options).map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
+        let options = FitOptions { until: Some(until), ..*options };
+        let found = fit(setup, observations, sought, &options).map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
         let direction = |direction: &Vec<_>| direction.iter().map(|&(unknown, share)| (name_of(unknown), share)).collect();
         Ok(Self {
             estimator: "nonlinear",

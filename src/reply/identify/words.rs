@@ -33,7 +33,7 @@ pub(super) fn stop_reason(stop: StopReason) -> &'static str {
 pub(super) fn not_converged(stop: StopReason) -> String {
     match stop {
         StopReason::Budget => {
-            "the evaluations were spent before the search ended: fit fewer parameters, send fewer samples or start nearer"
+            "the evaluations or the time were spent before the search ended: fit fewer parameters, send fewer samples or start nearer"
         }
         StopReason::ModelRefuses => {
             "the search ran into values for which the model has no answer: set `bounds`, another `start` or more `starts`"

@@ -3,7 +3,7 @@
 mod data;
 mod unknowns;
 
-use terramechanics::{Contact, ContactParams, Error, Method, Operation, PeakRule, ShearLaw, Wheel, WheelOnSoil};
+use terramechanics::{Contact, ContactParams, Error, Operation, PeakRule, ShearLaw, Wheel, WheelOnSoil};
 use terramechanics_identification::{
     FitError, FitOptions, Loss, MOST_STARTS, Observations, Quantity, Range, Setup, SinkageSource, Sought, Unknown,
 };
@@ -71,13 +71,8 @@ pub(crate) enum IdentifyQuery {
     Linear(Box<LinearQuery>),
 }
 
-/// Evaluations of the forces that a fit may take: some seconds of either kind.
-fn evaluations(method: &Method) -> u64 {
-    match method {
-        Method::Quadrature => 400_000,
-        Method::Linearised { .. } | Method::Explicit { .. } => 10_000_000,
-    }
-}
+/// Evaluations of the forces that a fit may take: five parameters of as many samples as are taken need a tenth of it.
+const EVALUATIONS: u64 = 20_000_000;
 
 impl Request for IdentifyDto {
     type Query = IdentifyQuery;
@@ -108,7 +103,7 @@ impl Request for IdentifyDto {
             fitted.iter().enumerate().map(|(i, &unknown)| self.sought(place, i, unknown, &setup, &starts, &bounds)).collect();
         let (sought, observations) = (sought?, observations?);
         self.check_columns(place, &setup, &observations)?;
-        let options = FitOptions { starts: count? as u32, loss: loss?, evaluations: evaluations(&setup.model.method) };
+        let options = FitOptions { starts: count? as u32, loss: loss?, evaluations: EVALUATIONS, until: None };
         Some(IdentifyQuery::Fit(Box::new(FitQuery { setup, observations, sought, options, law_replaced })))
     }
 }
