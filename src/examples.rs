@@ -79,7 +79,7 @@ fn bodies() -> [(&'static str, Value, Answer); 7] {
         "bounds": {"shear_modulus_m": [0.001, 0.05]}
     });
     let identify_reply = answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::of(query, Duration::from_secs(60)).ok());
-    // Dry sand under two plates: Yoshida, Watanabe, Mizuno & Ishigami 2003, Fig. 5, every other point.
+    // Dry sand under two plates, every other point: Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, 3G12.
     let plates = json!({
         "plates": [
             {"width_m": 0.06, "columns": {"sinkage_m": [0.00071, 0.001116, 0.001829, 0.002538], "pressure_pa": [247, 438, 885, 1291]}},

@@ -274,3 +274,53 @@ fn data_that_the_model_cannot_explain_are_refused_with_the_row() {
     let body = json!({"bounds": {"k_s": [1, 10], "n0": [0.9, 1]}, "start": {"k_s": 5, "n0": 1}, "data": {"sinkage_m": null}});
     assert_eq!(refused(body).pointers(), ["/data/normal_force_n/0"]);
 }
+
+/// Every value of a request replaced by odd ones: an answer of the documented shape or a refusal, nothing else.
+#[test]
+fn whatever_is_sent_the_answer_is_no_500() {
+    fn pointers(value: &Value, at: &str, found: &mut Vec<String>) {
+        let children: Vec<(String, &Value)> = match value {
+            Value::Object(fields) => fields.iter().map(|(name, value)| (name.clone(), value)).collect(),
+            Value::Array(items) => items.iter().enumerate().take(2).map(|(i, value)| (i.to_string(), value)).collect(),
+            _ => Vec::new(),
+        };
+        for (name, value) in children {
+            let pointer = format!("{at}/{name}");
+            found.push(pointer.clone());
+            pointers(value, &pointer, found);
+        }
+    }
+    let changes = json!({"soil": letter()["soil"], "fit": ["cohesion_pa", "friction_angle_rad", "n0"], "starts": 2, "loss": "huber",
+        "contact": {"rule": "wong_reece", "c1": 0.4, "c2": 0.1}, "bounds": {"n0": [0.5, 1.5]}, "start": {"cohesion_pa": 10},
+        "standard_deviation": {"longitudinal_force_n": 1, "normal_force_n": 1, "torque_n_m": vec![0.1; 9]}});
+    let base = with(&request("explicit"), changes);
+    let mut found = Vec::new();
+    pointers(&base, "", &mut found);
+    assert!(found.len() > 40);
+    let odd = [
+        json!(null),
+        json!(0),
+        json!(-1),
+        json!(1e12),
+        json!(-1e12),
+        json!(5e-324),
+        json!(""),
+        json!([]),
+        json!({}),
+        json!(true),
+    ];
+    for pointer in found {
+        for value in &odd {
+            let mut body = base.clone();
+            *body.pointer_mut(&pointer).expect("a field") = value.clone();
+            let answer = post("/v1/identify", &body);
+            if answer.status == 200 {
+                let reply = answer.json();
+                assert!(reply["estimates"].as_array().is_some_and(|all| all.iter().all(|one| one["value"].is_number())));
+                assert!(reply["rmse"].as_object().is_some_and(|all| all.values().all(Value::is_number)), "{pointer} = {value}");
+            } else {
+                answer.problem(422);
+            }
+        }
+    }
+}

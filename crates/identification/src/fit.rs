@@ -105,6 +105,19 @@ pub struct FittedColumn {
     pub rmse: f64,
 }
 
+impl FittedColumn {
+    /// Two columns of one length and how far they are apart.
+    #[must_use]
+    pub fn new(quantity: Quantity, measured: Vec<f64>, predicted: Vec<f64>) -> Self {
+        let differences = || predicted.iter().zip(&measured).map(|(predicted, measured)| (predicted - measured).abs());
+        // Scaled by the largest, so that the squares neither overflow nor vanish.
+        let largest = differences().fold(f64::MIN_POSITIVE, f64::max);
+        let squares: f64 = differences().map(|difference| (difference / largest).powi(2)).sum();
+        let rmse = largest * (squares / measured.len().max(1) as f64).sqrt();
+        Self { quantity, measured, predicted, rmse }
+    }
+}
+
 /// The result of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
@@ -298,11 +311,8 @@ fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, 
 }
 
 fn fitted_column(quantity: Quantity, column: &Column, predictions: &[Prediction]) -> FittedColumn {
-    let measured = column.values.clone();
-    let predicted: Vec<f64> = predictions.iter().map(|prediction| quantity.of(prediction)).collect();
-    let squares: f64 = predicted.iter().zip(&measured).map(|(predicted, measured)| (predicted - measured).powi(2)).sum();
-    let rmse = (squares / measured.len() as f64).sqrt();
-    FittedColumn { quantity, measured, predicted, rmse }
+    let predicted = predictions.iter().map(|prediction| quantity.of(prediction)).collect();
+    FittedColumn::new(quantity, column.values.clone(), predicted)
 }
 
 /// What every estimate is judged by.

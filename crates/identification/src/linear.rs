@@ -1,5 +1,5 @@
 //! How strong is the soil under a rolling wheel, right now? Cohesion and friction from torque, load, slip and sinkage by
-//! linear least squares (Iagnemma, Kang, Shibly & Dubowsky 2004, On-line terrain parameter estimation for wheeled mobile
+//! linear least squares (Iagnemma, Kang, Shibly & Dubowsky 2004, Online terrain parameter estimation for wheeled mobile
 //! robots with application to planetary rovers, IEEE Transactions on Robotics 20, 921).
 //!
 //! With the stresses linear on both sides of their peak, the torque gives the shear stress there, τm = T/(r_s² b H), and the

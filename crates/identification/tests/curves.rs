@@ -52,9 +52,9 @@ fn the_deep_end_of_a_curve_counts() {
     assert!(weighted < 0.02 && weighted < 0.5 * plain, "{weighted} against {plain}");
 }
 
-/// Static plate tests on dry sand (Yoshida, Watanabe, Mizuno & Ishigami 2003, read from the vectors of its Fig. 5): width (m),
-/// pressure (Pa) and sinkage (mm). The paper has b in place of z/b in its law, so only what both share is compared: a larger plate is
-/// stiffer here, the opposite of a cohesive soil, and the fit says so by a negative k_c.
+/// Static plate tests on dry sand (Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, paper 3G12; read from the
+/// vectors of its figure): width (m), pressure (Pa) and sinkage (mm). The wider plate is the stiffer one at a given sinkage, the opposite
+/// of a cohesive soil, and the fit says so by a negative k_c.
 #[test]
 fn plates_on_dry_sand_give_a_negative_cohesive_modulus() {
     let curve = |width: f64, points: [(f64, f64); 8]| PlateCurve {

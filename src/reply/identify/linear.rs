@@ -61,7 +61,7 @@ impl IdentifyReply {
                 torque.map_err(|error| refused((row, error)))
             })
             .collect();
-        let torque = fitted_torque(samples.iter().map(|sample| sample.torque).collect(), predicted?);
+        let torque = FittedColumn::new(Quantity::Torque, samples.iter().map(|sample| sample.torque).collect(), predicted?);
         let soil = SoilParams { cohesion: line.cohesion, friction_angle: line.tan_friction.atan(), ..setup.soil };
         let coefficient = line.covariance / (line.cohesion_variance * line.tan_friction_variance).sqrt();
         let coefficient = coefficient.is_finite().then(|| coefficient.clamp(-1.0, 1.0));
@@ -93,12 +93,6 @@ fn samples(query: &LinearQuery) -> Vec<RollingSample> {
     let columns = values(Quantity::Sinkage).iter().zip(values(Quantity::Normal)).zip(values(Quantity::Torque));
     let slips = query.observations.slip.iter();
     slips.zip(columns).map(|(&slip, ((&sinkage, &load), &torque))| RollingSample { slip, sinkage, load, torque }).collect()
-}
-
-fn fitted_torque(measured: Vec<f64>, predicted: Vec<f64>) -> FittedColumn {
-    let squares: f64 = predicted.iter().zip(&measured).map(|(predicted, measured)| (predicted - measured).powi(2)).sum();
-    let rmse = (squares / measured.len() as f64).sqrt();
-    FittedColumn { quantity: Quantity::Torque, measured, predicted, rmse }
 }
 
 /// Both estimates, each with whether it is determined.

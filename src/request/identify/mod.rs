@@ -140,7 +140,7 @@ impl IdentifyDto {
         let filling: Vec<(&'static str, f64)> = fitted.iter().map(|&unknown| (name_of(unknown), start(unknown))).collect();
         let (soil, law_replaced) = match self.soil().field {
             Field::Absent if !is_whole_soil(fitted) => {
-                place.field("soil").fault("is required: not all of a soil is fitted");
+                place.field("soil").fault("a soil is needed: not all of it is fitted");
                 return None;
             }
             Field::Absent => SoilDto::default().filled(&filling),
@@ -242,7 +242,7 @@ impl IdentifyDto {
             None => Range::new(usual.lower.min(start), usual.upper.max(start)),
         };
         if given.is_some() && !bounds.contains(start) {
-            place.field("start").field(name_of(unknown)).fault("must lie within its bounds");
+            place.field("start").field(name_of(unknown)).fault("lies outside its bounds");
             return None;
         }
         // What is known of the soil is only a hint; where the bounds exclude it the search begins at the nearer one.
@@ -256,7 +256,7 @@ impl IdentifyDto {
             && let Some(column) = observations.column(Quantity::Normal)
             && let Some(row) = column.values.iter().position(|&load| load <= 0.0)
         {
-            data.field("normal_force_n").item(row).fault("must be greater than 0: without `sinkage_m` it is the load");
+            data.field("normal_force_n").item(row).fault("is not greater than 0, and without `sinkage_m` it is the load");
             return None;
         }
         let fitted = observations.fitted(&setup.sinkage);
@@ -273,7 +273,7 @@ impl IdentifyDto {
                 place
                     .field("standard_deviation")
                     .field(column_name(**quantity))
-                    .fault("is required: other fitted columns have one");
+                    .fault("is lacking: other fitted columns have one");
             }
             return lacking.is_empty().then_some(());
         }
@@ -288,12 +288,12 @@ impl IdentifyDto {
             sound = false;
         };
         if !(fitted.len() == 2 && fitted.contains(&Unknown::Cohesion) && fitted.contains(&Unknown::FrictionAngle)) {
-            report(place.field("fit"), "must be `cohesion_pa` and `friction_angle_rad`: the linear estimator finds these two");
+            report(place.field("fit"), "the linear estimator finds `cohesion_pa` and `friction_angle_rad`, both and no other");
         }
         let data = place.field("data");
         for quantity in [Quantity::Sinkage, Quantity::Normal, Quantity::Torque] {
             if observations.column(quantity).is_none() {
-                report(data.field(column_name(quantity)), "is required by the linear estimator");
+                report(data.field(column_name(quantity)), "the linear estimator needs it");
             }
         }
         for (name, is_present) in [
@@ -308,7 +308,7 @@ impl IdentifyDto {
             }
         }
         let ShearLaw::JanosiHanamoto(law) = setup.soil.shear else {
-            place.field("soil").field("shear").fault("must be janosi_hanamoto for the linear estimator");
+            place.field("soil").field("shear").fault("the linear estimator needs janosi_hanamoto");
             return None;
         };
         let query = LinearQuery { setup, shear_modulus: law.modulus, observations };
