@@ -12,6 +12,7 @@ use tokio::sync::Semaphore;
 use crate::extract::Format;
 use crate::problem::Problem;
 use crate::reply::{Reply, csv};
+use crate::request::IdentifyQuery;
 
 /// What a computation costs at the worst, in nanoseconds on a machine of 2026.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
@@ -50,6 +51,19 @@ impl Cost {
     /// Of a towed wheel, whose skid takes up to a hundred load balances (most take fifteen).
     pub(crate) fn of_towed(operation: &Operation) -> Self {
         Self::of_points(operation, 100)
+    }
+
+    /// Of an identification: a line through the samples, or a search that may spend its evaluations.
+    pub(crate) fn of_identification(query: &IdentifyQuery) -> Self {
+        match query {
+            IdentifyQuery::Linear(query) => Self(query.observations.slip.len() as f64 * 2_000.0),
+            IdentifyQuery::Fit(query) => Self(query.options.evaluations as f64 * 200.0),
+        }
+    }
+
+    /// Of fitting curves with `points` points in all: a shear modulus is tried a few hundred times.
+    pub(crate) fn of_curves(points: usize) -> Self {
+        Self(points as f64 * 10_000.0)
     }
 
     /// Of reading a request body of `bytes`.

@@ -2,15 +2,21 @@
 //!
 //! Numbers of replies are rounded, so that the document does not depend on the last bit of a machine's library.
 
+use std::time::Duration;
+
 use serde_json::{Value, json};
 use utoipa::openapi::path::ParameterBuilder;
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
 use crate::reply::{
-    CompareReply, CoupledReply, ForcesReply, ProfileReply, Reply, ResistancesReply, SweepReply, TowedReply, ValidationSet, csv,
+    CompareReply, CoupledReply, ForcesReply, IdentifyReply, PlatesReply, ProfileReply, Reply, ResistancesReply, ShearReply,
+    SweepReply, TowedReply, ValidationSet, csv,
 };
-use crate::request::{CompareDto, CoupledDto, ForcesDto, ProfileDto, Request, ResistancesDto, SweepDto, TowedDto, checked};
+use crate::request::{
+    CompareDto, CoupledDto, ForcesDto, IdentifyDto, PlatesDto, ProfileDto, Request, ResistancesDto, ShearTestsDto, SweepDto,
+    TowedDto, checked,
+};
 use crate::validation;
 use crate::wire::read;
 
@@ -66,7 +72,7 @@ fn set_parameters(operation: &mut utoipa::openapi::path::Operation, body: &Value
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 7] {
+fn bodies() -> [(&'static str, Value, Answer); 10] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -97,6 +103,36 @@ fn bodies() -> [(&'static str, Value, Answer); 7] {
     });
     let resistances_reply = answer::<ResistancesDto, _>(&resistances, |query| ResistancesReply::try_from(query).ok());
     let towed = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80});
+    // The integrals of the letter's example, computed independently with 401 000 points.
+    let identify = json!({
+        "wheel": {"preset": "letter"}, "soil": {"cohesion_pa": 0},
+        "fit": ["friction_angle_rad", "shear_modulus_m", "k_s", "n0"],
+        "data": {
+            "slip": [0.05, 0.2, 0.5, 0.05, 0.2, 0.5],
+            "sinkage_m": [0.01, 0.01, 0.01, 0.02, 0.02, 0.02],
+            "longitudinal_force_n": [1.031, 6.546, 9.734, 5.911, 16.906, 21.748],
+            "normal_force_n": [32.203, 33.025, 33.601, 87.205, 89.716, 91.117],
+            "torque_n_m": [1.2247, 2.3421, 2.9912, 5.0744, 7.3396, 8.3513]
+        },
+        "bounds": {"shear_modulus_m": [0.001, 0.05]}
+    });
+    let identify_reply = answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::of(query, Duration::from_secs(60)).ok());
+    // Dry sand under two plates, every other point: Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, 3G12.
+    let plates = json!({
+        "plates": [
+            {"width_m": 0.06, "columns": {"sinkage_m": [0.00071, 0.001116, 0.001829, 0.002538], "pressure_pa": [247, 438, 885, 1291]}},
+            {"width_m": 0.116, "columns": {"sinkage_m": [0.000813, 0.001219, 0.00193, 0.002538], "pressure_pa": [469, 974, 1744, 2465]}}
+        ]
+    });
+    // (500 Pa + 0.6 σ)(1 − exp(−j/10 mm)), to the nearest 10 Pa.
+    let shear = json!({
+        "curves": [
+            {"normal_stress_pa": 2000, "columns": {"displacement_m": [0.005, 0.01, 0.02, 0.04], "shear_stress_pa": [670, 1070, 1470, 1670]}},
+            {"normal_stress_pa": 8000, "columns": {"displacement_m": [0.005, 0.01, 0.02, 0.04], "shear_stress_pa": [2090, 3350, 4580, 5200]}}
+        ]
+    });
+    let plates_reply = answer::<PlatesDto, _>(&plates, |query| PlatesReply::try_from(query).ok());
+    let shear_reply = answer::<ShearTestsDto, _>(&shear, |query| ShearReply::try_from(query).ok());
     let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
@@ -110,6 +146,9 @@ fn bodies() -> [(&'static str, Value, Answer); 7] {
         ("/v1/coupled", coupled, coupled_reply),
         ("/v1/resistances", resistances, resistances_reply),
         ("/v1/towed", towed, towed_reply),
+        ("/v1/identify", identify, identify_reply),
+        ("/v1/identify/plates", plates, plates_reply),
+        ("/v1/identify/shear", shear, shear_reply),
     ]
 }
 

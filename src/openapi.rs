@@ -26,6 +26,7 @@ use crate::{api, examples};
     security(()),
     tags(
         (name = "forces", description = "Forces and stresses of a wheel"),
+        (name = "identification", description = "Parameters of soil and contact from measurements"),
         (name = "catalogue", description = "Wheels, soils, measurements and equations, with their sources"),
         (name = "operations", description = "For operators and tools")
     )

@@ -46,6 +46,24 @@ def before_load_schema(context, raw_schema):
         law for law in shear["oneOf"] if law["properties"]["law"]["enum"] != ["janosi_hanamoto"]
     )
     schemas["Soil"] = one_of([requiring(soil, ["preset"]), with_modulus, without_modulus])
+    measurements(schemas)
+
+
+def measurements(schemas):
+    """Columns of one length, and fits that only ask for what every soil has beside those that ask for anything."""
+    for name in ("FitData", "PlateColumns", "ShearColumns"):
+        for column in schemas[name]["properties"].values():
+            column["minItems"] = column["maxItems"] = 4
+    data = schemas["FitData"]
+    load = requiring(data, ["normal_force_n", "torque_n_m"], without=["sinkage_m"])
+    load["properties"]["normal_force_n"]["items"]["minimum"] = 1e-9
+    schemas["FitData"] = one_of([requiring(data, ["sinkage_m", "torque_n_m"]), load])
+    anything = schemas["IdentifyRequest"]
+    idle = ["bounds", "start", "standard_deviation", "slip_sinkage", "estimator"]
+    plain = requiring(anything, ["soil"], without=idle)
+    plain["properties"]["fit"]["items"]["enum"] = ["cohesion_pa", "friction_angle_rad", "n0", "n1"]
+    plain["properties"]["fit"]["maxItems"] = 4
+    schemas["IdentifyRequest"] = {"anyOf": [plain, anything]}
 
 
     for operations in raw_schema["paths"].values():

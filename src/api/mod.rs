@@ -4,6 +4,7 @@ mod catalogue;
 mod compare;
 mod coupled;
 mod forces;
+mod identify;
 mod model;
 mod operations;
 mod resistances;
@@ -28,6 +29,9 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(coupled::coupled))
         .routes(routes!(resistances::resistances))
         .routes(routes!(towed::towed))
+        .routes(routes!(identify::identify))
+        .routes(routes!(identify::plates))
+        .routes(routes!(identify::shear))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

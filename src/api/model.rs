@@ -174,6 +174,18 @@ mod tests {
             "mirrored",
             "no_solution",
             "points_raised",
+            "not_converged",
+            "not_identifiable",
+            "single_slip",
+            "single_load",
+            "normal_force_only",
+            "at_bound",
+            "model_misfit",
+            "law_replaced",
+            "samples_left_out",
+            "negative_cohesive_modulus",
+            "exponents_differ",
+            "law_not_usable",
         ] {
             assert!(codes.contains(&code), "{code}");
         }

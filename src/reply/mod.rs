@@ -2,9 +2,12 @@
 
 mod compare;
 mod coupled;
+mod curves;
 mod forces;
+mod identify;
 mod resistances;
 mod slip_sweep;
+mod soil;
 mod stress_profile;
 mod towed;
 mod validation;
@@ -12,7 +15,9 @@ mod warning;
 
 pub(crate) use compare::CompareReply;
 pub(crate) use coupled::CoupledReply;
+pub(crate) use curves::{PlatesReply, ShearReply};
 pub(crate) use forces::ForcesReply;
+pub(crate) use identify::IdentifyReply;
 pub(crate) use resistances::ResistancesReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;

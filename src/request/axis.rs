@@ -22,7 +22,7 @@ wire_object! {
 }
 
 /// The slips of a sweep as they were sent.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) enum SlipAxis {
     Range(SlipRangeDto),
     List(Vec<Field<f64>>),

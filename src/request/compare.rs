@@ -11,7 +11,7 @@ use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Entry, Field, Lambda, Scope, Spec, Wire, wire_object};
 
 /// Names of methods as they were sent.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Methods(Vec<Field<String>>);
 
 /// One to three different methods.

@@ -4,7 +4,7 @@ use terramechanics::{Contact, ContactParams, PeakRule};
 use utoipa::openapi::{RefOr, Schema};
 
 use super::soil::numbers_of;
-use crate::wire::{Choice, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
+use crate::wire::{Choice, Field, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 /// The rules for the angle of maximum stress and their parameters.
 pub(crate) const RULES: &[Variant] = &[
@@ -32,6 +32,24 @@ wire_object! {
 }
 
 impl ContactDto {
+    /// The contact with a value for each of `fitted` that its rule takes and it does not have.
+    pub(super) fn filled(&self, fitted: &[(&'static str, f64)]) -> Self {
+        let mut contact = self.clone();
+        if matches!(&contact.rule, Field::Given(rule) if rule == "wong_reece") {
+            for &(name, value) in fitted {
+                let field = match name {
+                    "c1" => &mut contact.c1,
+                    "c2" => &mut contact.c2,
+                    _ => continue,
+                };
+                if matches!(field, Field::Absent) {
+                    *field = Field::Given(value);
+                }
+            }
+        }
+        contact
+    }
+
     /// The contact.
     pub(crate) fn check(&self, place: &Scope<'_>) -> Option<Contact> {
         self.report_oddities(place);

@@ -102,7 +102,7 @@ wire_object! {
 }
 
 impl SlipSinkageDto {
-    fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
+    pub(super) fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
         self.report_oddities(place);
         self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));

@@ -10,7 +10,7 @@ use utoipa::openapi::{RefOr, Schema};
 
 use super::wheel::missing;
 use crate::catalogue::{self, SoilRecord};
-use crate::wire::{Choice, Entry, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
+use crate::wire::{Choice, Entry, Field, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 wire_object! {
     /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
@@ -74,6 +74,45 @@ impl SoilDto {
         let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
         let soil = preset.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
         Some((soil, preset.and_then(SoilRecord::contact)))
+    }
+
+    /// The soil with a value for each of `fitted` that neither it nor its preset has; and whether the preset's law gave way to
+    /// the direct one, because the modulus of that is fitted.
+    pub(super) fn filled(&self, fitted: &[(&'static str, f64)]) -> (Self, bool) {
+        let preset = match &self.preset {
+            Field::Given(id) => catalogue::soil(id),
+            Field::Absent | Field::Wrong(_) => None,
+        };
+        let mut soil = self.clone();
+        for &(name, value) in fitted {
+            let field = match name {
+                "cohesion_pa" => &mut soil.cohesion_pa,
+                "friction_angle_rad" => &mut soil.friction_angle_rad,
+                "shear_modulus_m" => &mut soil.shear_modulus_m,
+                _ => continue,
+            };
+            if matches!(field, Field::Absent) && preset.is_none_or(|record| !record.values.contains_key(name)) {
+                *field = Field::Given(value);
+            }
+        }
+        let gives_way = match &mut soil.pressure_sinkage {
+            Field::Given(law) => {
+                law.fill(fitted);
+                false
+            }
+            Field::Absent => {
+                let published = preset.filter(|record| record.pressure_sinkage().is_some());
+                let law = PressureSinkageDto::of_fitted(preset, fitted);
+                let gives_way =
+                    published.is_some_and(|record| record.law.as_deref() != Some("direct")) && is_among(fitted, "k_s");
+                if let Some(law) = law.filter(|_| published.is_none() || gives_way) {
+                    soil.pressure_sinkage = Field::Given(law);
+                }
+                gives_way
+            }
+            Field::Wrong(_) => false,
+        };
+        (soil, gives_way)
     }
 
     /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.
@@ -182,7 +221,51 @@ wire_object! {
     }
 }
 
+fn is_among(fitted: &[(&'static str, f64)], name: &str) -> bool {
+    fitted.iter().any(|(known, _)| *known == name)
+}
+
 impl PressureSinkageDto {
+    /// The law of which all moduli are fitted, with the exponents of the preset; none where the moduli or n0 would be lacking.
+    fn of_fitted(preset: Option<&SoilRecord>, fitted: &[(&'static str, f64)]) -> Option<Self> {
+        let has = |name: &str| is_among(fitted, name);
+        let law = match (has("k_s"), has("k_c") && has("k_phi")) {
+            (true, _) => "direct",
+            (false, true) => "bekker",
+            (false, false) => return None,
+        };
+        let published = |name: &str| {
+            let value = preset.and_then(|record| record.values.get(name));
+            value.map_or(Field::Absent, |value| Field::Given(value.value))
+        };
+        let (n0, n1, n2) = (published("n0"), published("n1"), published("n2"));
+        let mut dto = Self { law: Field::Given(law.to_owned()), n0, n1, n2, ..Self::default() };
+        dto.fill(fitted);
+        matches!(dto.n0, Field::Given(_)).then_some(dto)
+    }
+
+    /// Puts in what is fitted and absent, as far as the law takes it.
+    fn fill(&mut self, fitted: &[(&'static str, f64)]) {
+        let variant = match &self.law {
+            Field::Given(law) => Variant::named(LAWS, law),
+            Field::Absent | Field::Wrong(_) => None,
+        };
+        for &(name, value) in fitted {
+            let field = match name {
+                "k_s" => &mut self.k_s,
+                "k_c" => &mut self.k_c,
+                "k_phi" => &mut self.k_phi,
+                "n0" => &mut self.n0,
+                "n1" => &mut self.n1,
+                _ => continue,
+            };
+            let is_taken = variant.is_some_and(|variant| variant.fields().any(|field| field == name));
+            if is_taken && matches!(field, Field::Absent) {
+                *field = Field::Given(value);
+            }
+        }
+    }
+
     fn check(&self, place: &Scope<'_>) -> Option<PressureSinkage> {
         self.report_oddities(place);
         self.law().required_word(place);

@@ -11,6 +11,7 @@ mod field;
 mod number;
 mod object;
 mod query;
+mod series;
 
 pub(crate) use choice::{Choice, nearest, shortened, unknown_word};
 pub(crate) use entry::Entry;
@@ -19,6 +20,7 @@ pub(crate) use field::{Field, Wire, read};
 pub(crate) use number::{Lambda, LambdaSpec, Number};
 pub(crate) use object::{Nested, Object, Oddity, Variant, object_schema, read_name, tagged_schema, wire_object};
 pub(crate) use query::Query;
+pub(crate) use series::{Each, EachSpec, Names, NamesSpec, Pair, PairSpec, Series, SeriesSpec};
 
 use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
 use utoipa::openapi::{RefOr, Required, Schema};

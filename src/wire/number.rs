@@ -66,10 +66,15 @@ impl Number {
         Self { default: Some(default), ..self }
     }
 
+    /// Whether the value is within the bounds.
+    pub(crate) fn allows(&self, value: f64) -> bool {
+        let below_top = if self.open_above { value < self.max } else { value <= self.max };
+        value >= self.min && below_top && (!self.integer || value.fract() == 0.0)
+    }
+
     /// The value, if it is within the bounds; else the fault is reported.
     pub(crate) fn check(&self, place: &Scope<'_>, value: f64) -> Option<f64> {
-        let below_top = if self.open_above { value < self.max } else { value <= self.max };
-        if value >= self.min && below_top && (!self.integer || value.fract() == 0.0) {
+        if self.allows(value) {
             Some(value)
         } else {
             place.fault(format_args!("must be {self}, not {}{}", Plain(value), self.probably_meant(value)));

@@ -14,7 +14,7 @@ use super::choice::shortened;
 use super::{Scope, Spec, nearest};
 
 /// A field name that does not belong where it stands.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) enum Oddity {
     /// No such field.
     Unknown(String),
@@ -199,7 +199,7 @@ impl Visitor<'_> for NameSeed {
 macro_rules! wire_object {
     (#[doc = $doc:literal] $object:ident as $title:literal $(with $schema:path)? { $($field:ident: $type:ty = $spec:expr),+ $(,)? }) => {
         #[doc = $doc]
-        #[derive(Debug, Default)]
+        #[derive(Debug, Clone, Default)]
         pub(crate) struct $object {
             $($field: $crate::wire::Field<$type>,)+
             oddities: Vec<$crate::wire::Oddity>,

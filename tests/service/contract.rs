@@ -141,6 +141,10 @@ fn bounded_numbers(
 
 /// A request around the field in which both its bounds are physically possible.
 fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
+    if let Some(mut body) = curves(path) {
+        set(&mut body, &field.pointer, &field.schema, value);
+        return body;
+    }
     let sweep = path == "/v1/slip-sweep" || path == "/v1/compare";
     let slip = |slip: f64| if sweep { json!({"from": slip, "to": slip, "points": 2}) } else { json!(slip) };
     let mut body = with(&letter(), json!({"slip": slip(0.0)}));
@@ -210,7 +214,10 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
                 body = with(&body, json!({"contact": {"c1": null, "c2": null}}));
             }
         }
-        assert!(body.pointer(pointer).is_some(), "{pointer}");
+        assert!(body.pointer(pointer).is_some() || path == "/v1/identify", "{pointer}");
+    }
+    if path == "/v1/identify" {
+        body = identification(&body, &field.pointer);
     }
     if path == "/v1/towed" {
         // So light that the smallest wheel and the weakest soil carry it, at a skid that the contact has room for.
@@ -223,6 +230,50 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
     }
     set(&mut body, &field.pointer, &field.schema, value);
     body
+}
+
+/// Curves of two tests, for the operations that take them.
+fn curves(path: &str) -> Option<Value> {
+    let plate =
+        |width: f64| json!({"width_m": width, "columns": {"sinkage_m": [0.01, 0.02, 0.03], "pressure_pa": [8e3, 2e4, 3e4]}});
+    let test = |normal: f64| json!({"normal_stress_pa": normal, "columns": {"displacement_m": [0.01, 0.02, 0.03], "shear_stress_pa": [0.4 * normal, 0.5 * normal, 0.6 * normal]}});
+    match path {
+        "/v1/identify/plates" => Some(json!({"plates": [plate(0.1), plate(0.2)]})),
+        "/v1/identify/shear" => Some(json!({"curves": [test(1e3), test(5e3)]})),
+        _ => None,
+    }
+}
+
+/// The request for forces `body` as a fit to two samples in which the field at `pointer` may have its bounds.
+fn identification(body: &Value, pointer: &str) -> Value {
+    let name = pointer.trim_end_matches("/0").rsplit('/').next().expect("a name");
+    let sinkage = body["sinkage_m"].as_f64().unwrap_or(0.01);
+    let slip = body["slip"].clone();
+    let column = if pointer.starts_with("/standard_deviation") && name != "sinkage_m" { name } else { "torque_n_m" };
+    let data = json!({"slip": [slip.clone(), slip], "sinkage_m": [sinkage, 0.5 * sinkage], column: [4.0, 1.0]});
+    let changes = json!({"slip": null, "sinkage_m": null, "static_sinkage_m": null, "method": "linearised", "data": data});
+    let fit = if pointer.starts_with("/start/") { name } else { "friction_angle_rad" };
+    let mut body = with(&with(body, changes), json!({"fit": [fit]}));
+    let around = match pointer {
+        "/lambda_a" | "/lambda_b" => json!({"method": "explicit"}),
+        "/slip_sinkage/gain" => json!({"fit": ["static_sinkage_m"]}),
+        "/start/k_s" => {
+            body = with(&body, json!({"soil": {"pressure_sinkage": null}}));
+            json!({"soil": {"pressure_sinkage": {"law": "direct", "n0": 1}}, "start": {}})
+        }
+        "/start/c1" | "/start/c2" => json!({"contact": {"rule": "wong_reece", "c1": 0.4, "c2": 0.1}, "start": {}}),
+        "/start/lambda_a" | "/start/lambda_b" => json!({"method": "explicit", "start": {}}),
+        _ if pointer.starts_with("/start/") => json!({"start": {}}),
+        "/standard_deviation/sinkage_m/0" => json!({"standard_deviation": {name: [1.0, 1.0]}}),
+        _ if pointer.starts_with("/standard_deviation") && pointer.ends_with("/0") => {
+            json!({"standard_deviation": {name: [1, 1]}})
+        }
+        _ if pointer.starts_with("/standard_deviation") => json!({"standard_deviation": {}}),
+        "/data/sinkage_m/0" => json!({"wheel": {"radius_m": 100}}),
+        _ if pointer.starts_with("/data/") && name != "slip" => json!({"data": {name: [1.0, 2.0]}}),
+        _ => json!({}),
+    };
+    with(&body, around)
 }
 
 fn set(body: &mut Value, pointer: &str, schema: &Value, value: f64) {
@@ -276,5 +327,5 @@ fn every_numeric_bound_is_enforced_just_outside_and_accepted_on_the_edge() {
             }
         }
     }
-    assert!(checked > 4 * 60, "only {checked} bounds were tried");
+    assert!(checked > 4 * 100, "only {checked} bounds were tried");
 }

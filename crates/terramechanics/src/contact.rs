@@ -71,6 +71,12 @@ impl Contact {
         Ok(Self { params, braking: Braking::OneZone })
     }
 
+    /// The parameters it was made of.
+    #[must_use]
+    pub fn params(&self) -> &ContactParams {
+        &self.params
+    }
+
     /// The same contact with another law for a braking wheel. Two zones have their peak where they part, not where the rule
     /// for a driving wheel has it.
     #[must_use]

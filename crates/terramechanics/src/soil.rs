@@ -71,6 +71,12 @@ impl Soil {
         self.gravity
     }
 
+    /// The parameters it was made of.
+    #[must_use]
+    pub fn params(&self) -> &SoilParams {
+        &self.params
+    }
+
     /// Cohesion c (Pa).
     #[must_use]
     pub fn cohesion(&self) -> f64 {

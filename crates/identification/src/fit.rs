@@ -1,0 +1,378 @@
+//! Which parameters of soil and contact explain measured forces? A nonlinear least-squares fit, with what it cannot tell.
+
+use std::time::Instant;
+
+use terramechanics::Error;
+
+use crate::design::{self, DesignGap};
+use crate::error::FitError;
+use crate::loss::Loss;
+use crate::observations::{Column, Observations, Quantity};
+use crate::problem::{Obstacle, Problem, Sought};
+use crate::search::{Found, StopReason, from_start, further_start};
+use crate::setup::{Prediction, Setup};
+use crate::uncertainty::{Evidence, Uncertainty};
+use crate::unknown::Unknown;
+
+/// Starts that one fit tries at most.
+pub const MOST_STARTS: u32 = 32;
+
+/// How a fit is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FitOptions {
+    /// Starts that are tried, up to [`MOST_STARTS`]; more are taken as that many.
+    pub starts: u32,
+    /// What a residual costs.
+    pub loss: Loss,
+    /// Evaluations of the forces after which the fit ends and says so.
+    pub evaluations: u64,
+    /// When it ends at the latest and says so; without one the result is the same on every machine.
+    pub until: Option<Instant>,
+}
+
+impl Default for FitOptions {
+    fn default() -> Self {
+        Self { starts: 1, loss: Loss::LeastSquares, evaluations: 20_000_000, until: None }
+    }
+}
+
+/// Which bound an estimate lies at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// The lower one.
+    Lower,
+    /// The upper one.
+    Upper,
+}
+
+/// What the data tell of one unknown; the gravest finding.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Identifiability {
+    /// It is determined.
+    Determined,
+    /// The data would have it beyond the bound.
+    AtBound,
+    /// The data do not change with it.
+    WithoutEffect,
+    /// It can change together with the others, and the data stay the same.
+    Inseparable(Vec<Unknown>),
+    /// The operating points do not tell it from the others but by the assumed shape of the stresses.
+    Unseparated(DesignGap, Vec<Unknown>),
+    /// Another start led to a different value that explains the data as well.
+    SeveralSolutions {
+        /// That value.
+        other: f64,
+    },
+    /// The interval is wider than the estimate is of use, or none can be stated.
+    Uncertain,
+}
+
+impl Identifiability {
+    /// Whether the data determine the unknown, if need be up to a bound.
+    #[must_use]
+    pub fn is_determined(&self) -> bool {
+        matches!(self, Self::Determined | Self::AtBound)
+    }
+}
+
+/// What was found of one unknown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// The unknown.
+    pub unknown: Unknown,
+    /// Its value.
+    pub value: f64,
+    /// Standard error; none where the data leave it open. At a bound it is what would hold without the bound.
+    pub standard_error: Option<f64>,
+    /// Interval of 95 %, not cut at the bounds.
+    pub interval: Option<[f64; 2]>,
+    /// The bound at which it lies.
+    pub at_bound: Option<Bound>,
+    /// What the data tell of it.
+    pub identifiability: Identifiability,
+}
+
+/// One fitted column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedColumn {
+    /// What was measured.
+    pub quantity: Quantity,
+    /// As measured.
+    pub measured: Vec<f64>,
+    /// As the model predicts with the estimates.
+    pub predicted: Vec<f64>,
+    /// Root of the mean squared difference.
+    pub rmse: f64,
+}
+
+impl FittedColumn {
+    /// Two columns of one length and how far they are apart.
+    #[must_use]
+    pub fn new(quantity: Quantity, measured: Vec<f64>, predicted: Vec<f64>) -> Self {
+        let differences = || predicted.iter().zip(&measured).map(|(predicted, measured)| (predicted - measured).abs());
+        // Scaled by the largest, so that the squares neither overflow nor vanish.
+        let largest = differences().fold(f64::MIN_POSITIVE, f64::max);
+        let squares: f64 = differences().map(|difference| (difference / largest).powi(2)).sum();
+        let rmse = largest * (squares / measured.len().max(1) as f64).sqrt();
+        Self { quantity, measured, predicted, rmse }
+    }
+}
+
+/// The result of a fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// One per unknown, in the order asked for.
+    pub estimates: Vec<Estimate>,
+    /// Why the search ended.
+    pub stop: StopReason,
+    /// Steps of the best search.
+    pub iterations: u32,
+    /// Evaluations of the forces, over all starts.
+    pub evaluations: u64,
+    /// Correlation of the estimates; none with one that has no standard error.
+    pub correlation: Vec<Vec<Option<f64>>>,
+    /// Condition number of the derivatives with columns of length one; infinite where a direction is dead.
+    pub condition_number: f64,
+    /// Directions in which the data do not change: the share of every unknown, on the scale of its effect.
+    pub dead_directions: Vec<Vec<(Unknown, f64)>>,
+    /// What the operating points do not vary, and the unknowns that need it.
+    pub gaps: Vec<(DesignGap, Vec<Unknown>)>,
+    /// Measurements minus determined directions.
+    pub freedom: f64,
+    /// Sum of squares over the degrees of freedom, where standard deviations were given: about one if they and the model hold.
+    pub reduced_chi_square: Option<f64>,
+    /// The fitted columns.
+    pub columns: Vec<FittedColumn>,
+    /// Sinkage of every sample (m).
+    pub sinkage: Vec<f64>,
+    /// The setup with the estimates.
+    pub setup: Setup,
+}
+
+impl Fit {
+    /// Whether the search ended at a minimum. That alone does not make the estimates unique.
+    #[must_use]
+    pub fn converged(&self) -> bool {
+        self.stop.is_success()
+    }
+
+    /// Whether the data determine every unknown.
+    #[must_use]
+    pub fn is_identifiable(&self) -> bool {
+        self.estimates.iter().all(|estimate| estimate.identifiability.is_determined())
+    }
+}
+
+/// Rounds in which a robust loss learns the scale of the residuals from them.
+const SCALE_ROUNDS: usize = 2;
+
+/// Relative difference of the cost up to which two solutions explain the data equally well.
+const SAME_COST: f64 = 1e-6;
+
+/// The parameters `sought` of `setup` that explain `observations` best.
+///
+/// # Errors
+/// [`FitError`], where there is nothing that could be fitted.
+pub fn fit(setup: &Setup, observations: &Observations, sought: &[Sought], options: &FitOptions) -> Result<Fit, FitError> {
+    let mut problem = Problem::new(*setup, observations, sought, options)?;
+    let (mut best, mut others) = search(&problem, options.starts.clamp(1, MOST_STARTS))?;
+    if options.loss != Loss::LeastSquares {
+        problem.loss = options.loss;
+        let rounds = if problem.has_deviations() { 1 } else { SCALE_ROUNDS };
+        for _ in 0..rounds {
+            if !problem.has_deviations() {
+                rescale(&mut problem, &best.values);
+            }
+            match from_start(&problem, &best.values) {
+                Ok(found) => best = Found { iterations: best.iterations + found.iterations, ..found },
+                Err(_) => {
+                    best.stop = StopReason::Budget;
+                    break;
+                }
+            }
+        }
+        others.clear(); // solutions of another loss
+    }
+    report(&problem, &best, &others)
+}
+
+/// The best end of the searches from all starts, and the others that are as good.
+fn search(problem: &Problem<'_>, starts: u32) -> Result<(Found, Vec<Found>), FitError> {
+    let own: Vec<f64> = problem.sought.iter().map(|one| one.start).collect();
+    let mut found: Vec<Found> = Vec::new();
+    let mut refusal: Option<(usize, Error)> = None;
+    let mut is_cut = false;
+    // Where the model refuses the data at the start itself, others are looked for even if one was asked for.
+    for number in 0..MOST_STARTS {
+        if number >= starts && !found.is_empty() {
+            break;
+        }
+        let start = if number == 0 { own.clone() } else { further_start(problem, number) };
+        match from_start(problem, &start) {
+            Ok(end) => found.push(end),
+            Err(Obstacle::Row { row, error }) => refusal = refusal.or(Some((row, error))),
+            Err(Obstacle::Values) => {}
+            Err(Obstacle::Budget) => {
+                is_cut = true;
+                break;
+            }
+        }
+    }
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let mut found = found.into_iter();
+    let mut best = found.next().ok_or_else(|| {
+        let (row, error) = refusal.unwrap_or((0, Error::NotFinite));
+        if is_cut { FitError::OutOfBudget } else { FitError::Refused { row, error } }
+    })?;
+    if is_cut {
+        best.stop = StopReason::Budget; // not all starts that were asked for
+    }
+    let level = (best.cost * (1.0 + SAME_COST)).max(f64::from(u8::MAX) * f64::EPSILON * f64::EPSILON * problem.samples() as f64);
+    let others = found.filter(|end| end.stop.is_success() && end.cost <= level).collect();
+    Ok((best, others))
+}
+
+/// Weights every column by the median size of its residuals: 1.4826 times it is the standard deviation of normal noise.
+fn rescale(problem: &mut Problem<'_>, values: &[f64]) {
+    let Ok(predictions) = problem.predictions(values) else { return };
+    let residuals = problem.weighted(&predictions);
+    let samples = problem.samples();
+    for column in 0..problem.fitted.len() {
+        let rows = column * samples..(column + 1) * samples;
+        let mut sizes: Vec<f64> = rows.clone().map(|row| residuals[row].abs()).collect();
+        sizes.sort_unstable_by(f64::total_cmp);
+        // Exact data have no scale of their own; a billionth of the column's is below what any sensor resolves.
+        let scale = (1.4826 * sizes[samples / 2]).max(1e-9);
+        problem.weights[rows].iter_mut().for_each(|weight| *weight /= scale);
+    }
+}
+
+fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, FitError> {
+    let mut stop = best.stop;
+    // The report itself is not bound by the budget of the search: it is one set of predictions and one of derivatives.
+    let problem = &problem.with_budget_for_the_report();
+    let refused = |obstacle| match obstacle {
+        Obstacle::Row { row, error } => FitError::Refused { row, error },
+        Obstacle::Values | Obstacle::Budget => FitError::Refused { row: 0, error: Error::NotFinite },
+    };
+    let predictions = problem.predictions(&best.values).map_err(refused)?;
+    let residuals = problem.weighted(&predictions);
+    let all: Vec<usize> = (0..problem.sought.len()).collect();
+    let setup = problem.setup_at(&best.values);
+    let useful: Vec<f64> = problem
+        .sought
+        .iter()
+        .enumerate()
+        .map(|(i, one)| {
+            let value = best.values[i];
+            one.unknown.useful_width(value, &setup) / problem.scales[i].slope(value).abs().max(f64::MIN_POSITIVE)
+        })
+        .collect();
+    let uncertainty = match problem.jacobian(&best.values, &predictions, &all) {
+        Ok(jacobian) => Some(Uncertainty::of(&Evidence {
+            jacobian: &jacobian,
+            residuals: &residuals,
+            measured: problem.measured_count(),
+            group: if problem.has_deviations() { problem.measured_count() } else { problem.samples() },
+            useful: &useful,
+            loss: problem.loss,
+        })),
+        Err(_) => {
+            stop = StopReason::ModelRefuses;
+            None
+        }
+    };
+    let names: Vec<Unknown> = problem.sought.iter().map(|one| one.unknown).collect();
+    let gaps = design::gaps(problem.observations, &problem.fitted, &names);
+    let judged = Judgement { problem, best, others, uncertainty: uncertainty.as_ref(), gaps: &gaps, useful: &useful };
+    let estimates = all.iter().map(|&i| judged.estimate(i)).collect();
+    let nothing = || vec![vec![None; all.len()]; all.len()];
+    Ok(Fit {
+        estimates,
+        stop,
+        iterations: best.iterations,
+        evaluations: problem.evaluations(),
+        correlation: uncertainty.as_ref().map_or_else(nothing, |known| known.correlation.clone()),
+        condition_number: uncertainty.as_ref().map_or(f64::INFINITY, |known| known.condition_number),
+        dead_directions: uncertainty.as_ref().map_or_else(Vec::new, |known| {
+            known.dead_directions.iter().map(|direction| names.iter().copied().zip(direction.iter().copied()).collect()).collect()
+        }),
+        gaps,
+        freedom: uncertainty.as_ref().map_or(0.0, |known| known.freedom),
+        reduced_chi_square: uncertainty.as_ref().and_then(|known| known.reduced_chi_square).filter(|_| problem.has_deviations()),
+        columns: problem
+            .fitted
+            .iter()
+            .filter_map(|&quantity| Some(fitted_column(quantity, problem.observations.column(quantity)?, &predictions)))
+            .collect(),
+        sinkage: predictions.iter().map(|prediction| prediction.sinkage).collect(),
+        setup,
+    })
+}
+
+fn fitted_column(quantity: Quantity, column: &Column, predictions: &[Prediction]) -> FittedColumn {
+    let predicted = predictions.iter().map(|prediction| quantity.of(prediction)).collect();
+    FittedColumn::new(quantity, column.values.clone(), predicted)
+}
+
+/// What every estimate is judged by.
+struct Judgement<'a> {
+    problem: &'a Problem<'a>,
+    best: &'a Found,
+    others: &'a [Found],
+    uncertainty: Option<&'a Uncertainty>,
+    gaps: &'a [(DesignGap, Vec<Unknown>)],
+    useful: &'a [f64],
+}
+
+/// Share of the useful width by which another solution has to differ to count as another.
+const DIFFERENT: f64 = 0.01;
+
+impl Judgement<'_> {
+    fn estimate(&self, i: usize) -> Estimate {
+        let Sought { unknown, bounds, .. } = self.problem.sought[i];
+        let value = self.best.values[i];
+        let slope = self.problem.scales[i].slope(value).abs();
+        let at_bound = match value {
+            value if value <= bounds.lower => Some(Bound::Lower),
+            value if value >= bounds.upper => Some(Bound::Upper),
+            _ => None,
+        };
+        let of = |list: fn(&Uncertainty) -> &Vec<Option<f64>>| self.uncertainty.and_then(|known| list(known)[i]);
+        let half_width = of(|known| &known.half_width).map(|half| half * slope);
+        Estimate {
+            unknown,
+            value,
+            standard_error: of(|known| &known.standard_error).map(|error| error * slope),
+            interval: half_width.map(|half| [value - half, value + half]),
+            at_bound,
+            identifiability: self.identifiability(i, half_width.map(|half| half / slope), at_bound),
+        }
+    }
+
+    /// The gravest finding; `half_width` is on the scaled unknown.
+    fn identifiability(&self, i: usize, half_width: Option<f64>, at_bound: Option<Bound>) -> Identifiability {
+        let unknown = self.problem.sought[i].unknown;
+        let Some(known) = self.uncertainty else { return Identifiability::Uncertain };
+        if known.without_effect[i] {
+            return Identifiability::WithoutEffect;
+        }
+        if known.is_dead(i) {
+            let others = known.moved_with(i).into_iter().map(|k| self.problem.sought[k].unknown).collect();
+            return Identifiability::Inseparable(others);
+        }
+        if let Some((gap, together)) = self.gaps.iter().find(|(_, together)| together.contains(&unknown)) {
+            let others = together.iter().copied().filter(|&other| other != unknown).collect();
+            return Identifiability::Unseparated(*gap, others);
+        }
+        let scale = self.problem.scales[i];
+        let distance = |found: &Found| (scale.inward(found.values[i]) - scale.inward(self.best.values[i])).abs();
+        if let Some(other) = self.others.iter().find(|found| distance(found) > DIFFERENT * self.useful[i]) {
+            return Identifiability::SeveralSolutions { other: other.values[i] };
+        }
+        if half_width.is_none_or(|half| half > self.useful[i]) {
+            return Identifiability::Uncertain;
+        }
+        if at_bound.is_some() { Identifiability::AtBound } else { Identifiability::Determined }
+    }
+}

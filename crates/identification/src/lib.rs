@@ -1,0 +1,40 @@
+//! Parameters of soil and contact from measurements, with an honest account of what the measurements cannot tell.
+//!
+//! [`fit()`] finds any of the model's parameters from measured forces, torque and sinkage over slip, with any of the three
+//! methods of the crate `terramechanics` as the forward model.
+//!
+//! [`linear_strength`] and [`RunningStrength`] find cohesion and friction alone, in one pass, from torque, load, slip and
+//! sinkage (Iagnemma et al. 2004).
+//!
+//! [`fit_plates`] and [`fit_shear_curves`] find Bekker's parameters and the strength from plate tests and shear tests.
+//!
+//! SI units and radians throughout, slip as in the model.
+
+mod design;
+mod error;
+mod fit;
+mod linear;
+mod loss;
+mod observations;
+mod plates;
+mod problem;
+mod search;
+mod setup;
+mod shear_curves;
+mod student;
+mod uncertainty;
+mod unknown;
+
+pub use design::DesignGap;
+pub use error::FitError;
+pub use fit::{Bound, Estimate, Fit, FitOptions, FittedColumn, Identifiability, MOST_STARTS, fit};
+pub use linear::{RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StressPoint, linear_strength};
+pub use loss::Loss;
+pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};
+pub use plates::{FittedPlate, MOST_PLATES, PlateCurve, PlatesError, PlatesFit, fit_plates};
+pub use problem::Sought;
+pub use search::StopReason;
+pub use setup::{Setup, SinkageSource};
+pub use shear_curves::{MOST_CURVES, ShearCurve, ShearError, ShearFit, fit_shear_curves};
+pub use student::quantile_95;
+pub use unknown::{Range, Unknown};

@@ -1,0 +1,141 @@
+//! What was measured: columns of one length over slip.
+
+use std::fmt;
+
+use terramechanics::Slip;
+
+use crate::error::FitError;
+use crate::setup::{Prediction, SinkageSource};
+
+/// Samples that one fit takes at most.
+pub const MOST_SAMPLES: usize = 10_001;
+
+/// A quantity that can be measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Quantity {
+    /// Sinkage z (m).
+    Sinkage,
+    /// Longitudinal force F_x (N).
+    Longitudinal,
+    /// Normal force F_z (N).
+    Normal,
+    /// Torque T (N·m).
+    Torque,
+}
+
+impl Quantity {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Sinkage, Self::Longitudinal, Self::Normal, Self::Torque];
+
+    pub(crate) fn of(self, prediction: &Prediction) -> f64 {
+        match self {
+            Self::Sinkage => prediction.sinkage,
+            Self::Longitudinal => prediction.longitudinal,
+            Self::Normal => prediction.normal,
+            Self::Torque => prediction.torque,
+        }
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sinkage => "sinkage",
+            Self::Longitudinal => "longitudinal force",
+            Self::Normal => "normal force",
+            Self::Torque => "torque",
+        })
+    }
+}
+
+/// One measured column.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Column {
+    /// The values.
+    pub values: Vec<f64>,
+    /// Their standard deviations, if known, one per value.
+    pub deviation: Option<Vec<f64>>,
+}
+
+/// Measurements, of one length.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Observations {
+    /// Slip s (–).
+    pub slip: Vec<Slip>,
+    /// Sinkage z (m).
+    pub sinkage: Option<Column>,
+    /// Longitudinal force F_x (N).
+    pub longitudinal: Option<Column>,
+    /// Normal force F_z (N).
+    pub normal: Option<Column>,
+    /// Torque T (N·m).
+    pub torque: Option<Column>,
+}
+
+impl Observations {
+    /// The column of a quantity, if it was measured.
+    #[must_use]
+    pub fn column(&self, quantity: Quantity) -> Option<&Column> {
+        match quantity {
+            Quantity::Sinkage => self.sinkage.as_ref(),
+            Quantity::Longitudinal => self.longitudinal.as_ref(),
+            Quantity::Normal => self.normal.as_ref(),
+            Quantity::Torque => self.torque.as_ref(),
+        }
+    }
+
+    /// The quantities that are compared with predictions; those from which the sinkage comes are taken as they are.
+    #[must_use]
+    pub fn fitted(&self, source: &SinkageSource) -> Vec<Quantity> {
+        let taken = match source {
+            SinkageSource::Measured => Some(Quantity::Sinkage),
+            SinkageSource::Load => Some(Quantity::Normal),
+            SinkageSource::Static { .. } => None,
+        };
+        let measured = Quantity::ALL.into_iter().filter(|quantity| self.column(*quantity).is_some());
+        measured.filter(|quantity| Some(*quantity) != taken).collect()
+    }
+
+    /// Whether the columns fit together and serve a source of the sinkage.
+    pub(crate) fn check(&self, source: &SinkageSource) -> Result<(), FitError> {
+        let count = self.slip.len();
+        if !(1..=MOST_SAMPLES).contains(&count) {
+            return Err(FitError::Samples { count });
+        }
+        let needed = match source {
+            SinkageSource::Measured => Some(Quantity::Sinkage),
+            SinkageSource::Load => Some(Quantity::Normal),
+            SinkageSource::Static { .. } => None,
+        };
+        if let Some(quantity) = needed
+            && self.column(quantity).is_none()
+        {
+            return Err(FitError::Missing(quantity));
+        }
+        let fitted = self.fitted(source);
+        if fitted.is_empty() {
+            return Err(FitError::NothingMeasured);
+        }
+        let weighted = |quantity: Quantity| self.column(quantity).is_some_and(|column| column.deviation.is_some());
+        if fitted.iter().any(|&quantity| weighted(quantity))
+            && let Some(&quantity) = fitted.iter().find(|&&quantity| !weighted(quantity))
+        {
+            return Err(FitError::DeviationMissing(quantity));
+        }
+        for quantity in Quantity::ALL {
+            let Some(column) = self.column(quantity) else { continue };
+            if column.values.len() != count || column.deviation.as_ref().is_some_and(|deviation| deviation.len() != count) {
+                return Err(FitError::Length(quantity));
+            }
+            let usable = |value: f64| value.is_finite() && (needed != Some(quantity) || value > 0.0);
+            if let Some(row) = column.values.iter().position(|&value| !usable(value)) {
+                return Err(FitError::Value { quantity, row });
+            }
+            let improper = |deviation: &Vec<f64>| deviation.iter().position(|&value| !(value.is_finite() && value > 0.0));
+            if let Some(row) = column.deviation.as_ref().and_then(improper) {
+                return Err(FitError::Deviation { quantity, row });
+            }
+        }
+        Ok(())
+    }
+}

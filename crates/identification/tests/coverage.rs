@@ -1,0 +1,92 @@
+//! Of intervals of 95 %, 95 in 100 hold the truth.
+
+mod common;
+
+use common::{Noise, five, measured, programme, truth};
+use terramechanics::Method;
+use terramechanics_identification::{Column, FitOptions, Loss, Observations, Quantity, SinkageSource, fit};
+
+const REPETITIONS: u64 = 300;
+
+/// What is asked of the share of intervals that hold the truth. The share of 300 true 95 % intervals scatters by 1.3 %.
+const COVERED: std::ops::RangeInclusive<f64> = 0.92..=0.98;
+
+/// Standard deviations of F_x (N), F_z (N) and T (N·m): some percent of the columns, and not the same share of each.
+const DEVIATIONS: [(Quantity, f64); 3] = [(Quantity::Longitudinal, 0.5), (Quantity::Normal, 4.0), (Quantity::Torque, 0.05)];
+
+fn with_noise(clean: &Observations, seed: u64, state_deviations: bool, outliers: bool) -> Observations {
+    let mut noise = Noise::seeded(seed + 1);
+    let mut observations = clean.clone();
+    for (quantity, deviation) in DEVIATIONS {
+        let column = match quantity {
+            Quantity::Longitudinal => &mut observations.longitudinal,
+            Quantity::Normal => &mut observations.normal,
+            _ => &mut observations.torque,
+        };
+        noise.on(column, deviation);
+        if let Some(Column { values, deviation: stated }) = column {
+            if outliers {
+                values.iter_mut().step_by(9).for_each(|value| *value += 30.0 * deviation);
+            }
+            *stated = state_deviations.then(|| vec![deviation; values.len()]);
+        }
+    }
+    observations
+}
+
+/// The share of intervals that hold the truth, by unknown.
+fn coverage(state_deviations: bool) -> Vec<f64> {
+    let truth = truth(Method::EXPLICIT, SinkageSource::Measured);
+    let clean = measured(&truth, &programme(40));
+    let sought = five(&truth);
+    let mut covered = vec![0; sought.len()];
+    for seed in 0..REPETITIONS {
+        let found =
+            fit(&truth, &with_noise(&clean, seed, state_deviations, false), &sought, &FitOptions::default()).expect("a fit");
+        assert!(found.converged(), "{:?}", found.stop);
+        for (estimate, covered) in found.estimates.iter().zip(&mut covered) {
+            let [lower, upper] = estimate.interval.expect("an interval");
+            let expected = estimate.unknown.value(&truth).expect("a parameter");
+            *covered += usize::from((lower..=upper).contains(&expected));
+        }
+        if state_deviations {
+            // 115 degrees of freedom: the reduced sum of squares is 1 ± 0.13, five times that is never seen.
+            assert!((found.reduced_chi_square.expect("deviations are given") - 1.0).abs() < 0.66);
+        }
+    }
+    covered.into_iter().map(|covered| f64::from(covered as u32) / REPETITIONS as f64).collect()
+}
+
+#[test]
+fn intervals_hold_the_truth_as_often_as_they_say_with_known_deviations() {
+    let shares = coverage(true);
+    assert!(shares.iter().all(|share| COVERED.contains(share)), "{shares:?}");
+}
+
+/// Without deviations the columns are weighted by their size, which is not how well they were measured; the errors still hold.
+#[test]
+fn intervals_hold_the_truth_as_often_as_they_say_without_known_deviations() {
+    let shares = coverage(false);
+    assert!(shares.iter().all(|share| COVERED.contains(share)), "{shares:?}");
+}
+
+/// One sample in nine is off by thirty standard deviations, always to the same side.
+#[test]
+fn a_robust_loss_holds_against_outliers_that_ruin_least_squares() {
+    let truth = truth(Method::EXPLICIT, SinkageSource::Measured);
+    let clean = measured(&truth, &programme(40));
+    // Of one data set a loss may come out well or badly by chance, so twenty are taken.
+    let error_of = |loss: Loss| -> f64 {
+        let options = FitOptions { loss, ..FitOptions::default() };
+        let error = |seed: u64| {
+            let found = fit(&truth, &with_noise(&clean, seed, false, true), &five(&truth), &options).expect("a fit");
+            assert!(found.converged());
+            (found.estimates[1].value - 0.55).abs()
+        };
+        (0..20).map(error).sum::<f64>() / 20.0
+    };
+    let ruined = error_of(Loss::LeastSquares);
+    let robust = [Loss::Huber, Loss::SoftL1, Loss::Cauchy].map(error_of);
+    assert!(robust.iter().all(|error| *error < 0.5 * ruined), "{robust:?} against {ruined}");
+    assert!(robust[2] < robust[0], "outliers this far off count next to nothing under Cauchy's loss: {robust:?}");
+}

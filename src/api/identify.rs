@@ -1,0 +1,86 @@
+//! `POST /v1/identify`, `/v1/identify/plates` and `/v1/identify/shear`.
+
+use axum::extract::State;
+use axum::response::Response;
+
+use super::responses::{InvalidBody, Limits};
+use crate::app::Service;
+use crate::compute::{Cost, written};
+use crate::extract::{Format, Input};
+use crate::problem::Problem;
+use crate::reply::{IdentifyReply, PlatesReply, ShearReply};
+use crate::request::{IdentifyDto, PlatesDto, ShearTestsDto};
+
+/// Parameters of soil and contact from measured forces
+///
+/// The parameters named in `fit` that explain the measurements best by the chosen method, with standard errors, intervals,
+/// correlation and residuals; and what the measurements do not tell: `identifiable` is false, with words at each parameter,
+/// whenever they leave one open. With `Accept: text/csv` the columns come as a table.
+#[utoipa::path(
+    post,
+    path = "/v1/identify",
+    tag = "identification",
+    request_body = IdentifyDto,
+    responses((status = 200, description = "Parameters of soil and contact from measured forces", content((IdentifyReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
+)]
+pub(crate) async fn identify(
+    State(service): State<Service>,
+    format: Format,
+    Input(query): Input<IdentifyDto>,
+) -> Result<Response, Problem> {
+    let cost = Cost::of_identification(&query);
+    let patience = service.limits().compute_deadline;
+    let work = move || {
+        let reply = IdentifyReply::of(&query, patience).map_err(Problem::Invalid)?;
+        written(&reply, format)
+    };
+    service.pool().run(cost, work).await
+}
+
+/// Bekker's parameters from plate tests
+///
+/// k_c, k_phi and n0 from curves of pressure over sinkage under plates of two or more widths, by Wong's weighted fit, with standard
+/// errors and residuals. With `Accept: text/csv` the columns come as a table.
+#[utoipa::path(
+    post,
+    path = "/v1/identify/plates",
+    tag = "identification",
+    request_body = PlatesDto,
+    responses((status = 200, description = "Bekker's parameters from plate tests", content((PlatesReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
+)]
+pub(crate) async fn plates(
+    State(service): State<Service>,
+    format: Format,
+    Input(query): Input<PlatesDto>,
+) -> Result<Response, Problem> {
+    let cost = Cost::of_curves(query.0.iter().map(|curve| curve.sinkage.len()).sum());
+    let work = move || {
+        let reply = PlatesReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
+        written(&reply, format)
+    };
+    service.pool().run(cost, work).await
+}
+
+/// Strength and shear modulus from shear tests
+///
+/// Cohesion, friction angle and shear modulus from curves of shear stress over displacement under two or more normal stresses, all
+/// fitted at once, with standard errors and residuals. With `Accept: text/csv` the columns come as a table.
+#[utoipa::path(
+    post,
+    path = "/v1/identify/shear",
+    tag = "identification",
+    request_body = ShearTestsDto,
+    responses((status = 200, description = "Strength and shear modulus from shear tests", content((ShearReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
+)]
+pub(crate) async fn shear(
+    State(service): State<Service>,
+    format: Format,
+    Input(query): Input<ShearTestsDto>,
+) -> Result<Response, Problem> {
+    let cost = Cost::of_curves(query.0.iter().map(|curve| curve.shear.len()).sum());
+    let work = move || {
+        let reply = ShearReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
+        written(&reply, format)
+    };
+    service.pool().run(cost, work).await
+}

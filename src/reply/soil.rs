@@ -1,0 +1,130 @@
+//! A soil and a contact as a request would spell them out.
+
+use serde::Serialize;
+use terramechanics::{ContactParams, PeakRule, PressureSinkage, ShearLaw, SoilParams};
+use utoipa::ToSchema;
+
+/// A soil, ready for a request.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = FoundSoil)]
+pub(super) struct SoilBody {
+    /// Cohesion c (Pa).
+    cohesion_pa: f64,
+    /// Internal friction angle φ (rad).
+    friction_angle_rad: f64,
+    /// Shear deformation modulus K (m), where the shear law has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    shear_modulus_m: Option<f64>,
+    pressure_sinkage: LawBody,
+    /// Shear law, where it is another than Janosi–Hanamoto's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    shear: Option<ShearBody>,
+}
+
+/// A pressure–sinkage law, ready for a request.
+#[derive(Debug, Serialize, ToSchema)]
+#[serde(tag = "law", rename_all = "snake_case")]
+#[schema(as = FoundLaw)]
+enum LawBody {
+    /// Bekker's.
+    Bekker {
+        k_c: f64,
+        k_phi: f64,
+        #[serde(flatten)]
+        exponent: ExponentBody,
+    },
+    /// A modulus as it is.
+    Direct {
+        k_s: f64,
+        #[serde(flatten)]
+        exponent: ExponentBody,
+    },
+    /// Reece's.
+    Reece {
+        k_c: f64,
+        k_phi: f64,
+        unit_weight_n_m3: f64,
+        #[serde(flatten)]
+        exponent: ExponentBody,
+    },
+    /// Meirion-Griffith & Spenko's.
+    Diameter {
+        k: f64,
+        m: f64,
+        #[serde(flatten)]
+        exponent: ExponentBody,
+    },
+}
+
+/// The sinkage exponent.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = FoundExponent)]
+struct ExponentBody {
+    n0: f64,
+    n1: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    n2: Option<f64>,
+}
+
+/// A shear law, ready for a request.
+#[derive(Debug, Serialize, ToSchema)]
+#[serde(tag = "law", rename_all = "snake_case")]
+#[schema(as = FoundShear)]
+enum ShearBody {
+    /// Over a hump to a residual.
+    WongResidual { residual_ratio: f64, peak_displacement_m: f64 },
+    /// Over a peak to nothing.
+    WongPeak { peak_displacement_m: f64 },
+}
+
+/// A contact, ready for a request.
+#[derive(Debug, Serialize, ToSchema)]
+#[serde(tag = "rule", rename_all = "snake_case")]
+#[schema(as = FoundContact)]
+pub(super) enum ContactBody {
+    /// θm = (θ1 + θ2)/2.
+    Midpoint { c3: f64 },
+    /// θm = (c1 + c2 s) θ1.
+    WongReece { c1: f64, c2: f64, c3: f64 },
+    /// θm = arccos(1 − z/(2r)).
+    HalfSinkage { c3: f64 },
+}
+
+impl From<&SoilParams> for SoilBody {
+    fn from(soil: &SoilParams) -> Self {
+        let exponent = soil.pressure_sinkage.exponent();
+        let exponent = ExponentBody { n0: exponent.base, n1: exponent.slip_gain, n2: exponent.skid_gain };
+        let pressure_sinkage = match soil.pressure_sinkage {
+            PressureSinkage::Bekker(law) => LawBody::Bekker { k_c: law.k_c, k_phi: law.k_phi, exponent },
+            PressureSinkage::Direct(law) => LawBody::Direct { k_s: law.k_s, exponent },
+            PressureSinkage::Reece(law) => {
+                LawBody::Reece { k_c: law.k_c, k_phi: law.k_phi, unit_weight_n_m3: law.unit_weight, exponent }
+            }
+            PressureSinkage::Diameter(law) => LawBody::Diameter { k: law.k, m: law.m, exponent },
+        };
+        let (shear_modulus_m, shear) = match soil.shear {
+            ShearLaw::JanosiHanamoto(law) => (Some(law.modulus), None),
+            ShearLaw::WongResidual(law) => {
+                let (residual_ratio, peak_displacement_m) = (law.residual_ratio, law.peak_displacement);
+                (None, Some(ShearBody::WongResidual { residual_ratio, peak_displacement_m }))
+            }
+            ShearLaw::WongPeak(law) => (None, Some(ShearBody::WongPeak { peak_displacement_m: law.peak_displacement })),
+        };
+        let (cohesion_pa, friction_angle_rad) = (soil.cohesion, soil.friction_angle);
+        Self { cohesion_pa, friction_angle_rad, shear_modulus_m, pressure_sinkage, shear }
+    }
+}
+
+impl From<&ContactParams> for ContactBody {
+    fn from(contact: &ContactParams) -> Self {
+        let c3 = contact.exit_ratio;
+        match contact.rule {
+            PeakRule::Midpoint => Self::Midpoint { c3 },
+            PeakRule::WongReece { c1, c2 } => Self::WongReece { c1, c2, c3 },
+            PeakRule::HalfSinkage => Self::HalfSinkage { c3 },
+        }
+    }
+}

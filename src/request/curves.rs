@@ -1,0 +1,228 @@
+//! The requests of `/v1/identify/plates` and `/v1/identify/shear`: lists of curves.
+
+use serde::de::{IgnoredAny, SeqAccess};
+use terramechanics_identification::{MOST_CURVES, MOST_PLATES, PlateCurve, PlatesError, ShearCurve, ShearError};
+use utoipa::ToSchema;
+use utoipa::openapi::schema::ArrayBuilder;
+use utoipa::openapi::{RefOr, Schema};
+
+use super::Request;
+use crate::wire::{Entry, Field, FieldFault, Nested, Number, Object, Scope, Series, SeriesSpec, Spec, Wire, wire_object};
+
+const SINKAGE: Number = Number::new("Sinkage z (m).", 1e-9, 100.0);
+const PRESSURE: Number = Number::new("Pressure p (Pa).", 1e-6, 1e12);
+const DISPLACEMENT: Number = Number::new("Shear displacement j (m).", 0.0, 100.0);
+const SHEAR: Number = Number::new("Shear stress τ (Pa).", -1e12, 1e12);
+
+const fn column(doc: &'static str, number: Number) -> SeriesSpec {
+    SeriesSpec { doc, number, fewest: 1, required: true }
+}
+
+wire_object! {
+    /// Pressure over sinkage, as columns of one length.
+    PlateColumnsDto as "PlateColumns" {
+        sinkage_m: Series = column("Sinkage z (m).", SINKAGE),
+        pressure_pa: Series = column("Pressure p (Pa).", PRESSURE),
+    }
+}
+
+wire_object! {
+    /// A plate and what was measured under it.
+    PlateDto as "Plate" {
+        width_m: f64 = Number::new("Smaller side, or radius of a round plate, b (m).", 1e-3, 100.0),
+        columns: PlateColumnsDto = Nested::required("The measured curve."),
+    }
+}
+
+wire_object! {
+    /// Curves of two or more plates of different width.
+    PlatesDto as "PlatesRequest" {
+        plates: List<PlateDto> = ListSpec::new("The plates, of at least two widths.", 2, MOST_PLATES),
+    }
+}
+
+wire_object! {
+    /// Shear stress over displacement, as columns of one length.
+    ShearColumnsDto as "ShearColumns" {
+        displacement_m: Series = column("Shear displacement j (m).", DISPLACEMENT),
+        shear_stress_pa: Series = column("Shear stress τ (Pa).", SHEAR),
+    }
+}
+
+wire_object! {
+    /// A shear test under one normal stress.
+    ShearCurveDto as "ShearCurve" {
+        normal_stress_pa: f64 = Number::new("Normal stress σ (Pa).", 0.0, 1e12),
+        columns: ShearColumnsDto = Nested::required("The measured curve."),
+    }
+}
+
+wire_object! {
+    /// Shear tests under two or more normal stresses.
+    ShearTestsDto as "ShearTestsRequest" {
+        curves: List<ShearCurveDto> = ListSpec::new("The tests, under at least two normal stresses.", 2, MOST_CURVES),
+    }
+}
+
+/// A list of objects as it was sent.
+#[derive(Debug, Clone)]
+pub(crate) struct List<T>(Vec<Field<T>>);
+
+/// How many objects a list may have.
+pub(crate) struct ListSpec<T> {
+    doc: &'static str,
+    fewest: usize,
+    most: usize,
+    item: Nested<T>,
+}
+
+impl<T> ListSpec<T> {
+    const fn new(doc: &'static str, fewest: usize, most: usize) -> Self {
+        Self { doc, fewest, most, item: Nested::required("One of the list.") }
+    }
+}
+
+impl<T: ToSchema + Object> Spec for ListSpec<T> {
+    fn schema(&self) -> RefOr<Schema> {
+        ArrayBuilder::new()
+            .description(Some(self.doc))
+            .items(self.item.schema())
+            .min_items(Some(self.fewest))
+            .max_items(Some(self.most))
+            .into()
+    }
+
+    fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
+        self.item.schemas(found);
+    }
+
+    fn is_required(&self) -> bool {
+        true
+    }
+}
+
+/// Objects that are kept of any list; the checks allow fewer.
+const MOST_KEPT: usize = 64;
+
+impl<T: Wire + ToSchema + Object + 'static> Wire for List<T> {
+    type Spec = ListSpec<T>;
+    const EXPECTED: &'static str = "an array of objects";
+
+    fn list<'de, A: SeqAccess<'de>>(mut list: A) -> Result<Option<Self>, A::Error> {
+        let mut items = Vec::new();
+        while items.len() <= MOST_KEPT {
+            match list.next_element()? {
+                Some(item) => items.push(item),
+                None => return Ok(Some(Self(items))),
+            }
+        }
+        while list.next_element::<IgnoredAny>()?.is_some() {}
+        Ok(Some(Self(items))) // one more than allowed, which the check refuses
+    }
+}
+
+impl<T: Wire + ToSchema + Object + 'static> Entry<'_, List<T>> {
+    /// What `check` makes of every object.
+    fn each<U>(&self, object: &Scope<'_>, check: impl Fn(&T, &Scope<'_>) -> Option<U>) -> Option<Vec<U>> {
+        let List(items) = self.required(object)?;
+        let list = object.field(self.name);
+        let ListSpec { fewest, most, .. } = self.spec;
+        if !(*fewest..=*most).contains(&items.len()) {
+            list.fault(format_args!("must have from {fewest} to {most} items"));
+            return None;
+        }
+        let checked: Vec<Option<U>> = items
+            .iter()
+            .enumerate()
+            .map(|(i, item)| match item {
+                Field::Given(item) => check(item, &list.item(i)),
+                Field::Wrong(found) => {
+                    list.item(i).fault(format_args!("must be {}, not {found}", T::EXPECTED));
+                    None
+                }
+                Field::Absent => None,
+            })
+            .collect();
+        checked.into_iter().collect()
+    }
+}
+
+/// Two columns of one length.
+fn pair(first: &Entry<'_, Series>, second: &Entry<'_, Series>, place: &Scope<'_>) -> Option<(Vec<f64>, Vec<f64>)> {
+    let (values, others) = (first.required_numbers(place), second.required_numbers(place));
+    let (values, others) = (values?, others?);
+    if values.len() != others.len() {
+        let (found, expected) = (others.len(), values.len());
+        place.field(second.name).fault(format_args!("has {found} values where `{}` has {expected}", first.name));
+        return None;
+    }
+    Some((values, others))
+}
+
+impl PlateDto {
+    fn check(&self, place: &Scope<'_>) -> Option<PlateCurve> {
+        self.report_oddities(place);
+        let width = self.width_m().required_number(place);
+        let around = place.field("columns");
+        let columns = self.columns().required(place).and_then(|columns| {
+            columns.report_oddities(&around);
+            pair(&columns.sinkage_m(), &columns.pressure_pa(), &around)
+        });
+        let (sinkage, pressure) = columns?;
+        Some(PlateCurve { width: width?, sinkage, pressure })
+    }
+}
+
+impl ShearCurveDto {
+    fn check(&self, place: &Scope<'_>) -> Option<ShearCurve> {
+        self.report_oddities(place);
+        let normal = self.normal_stress_pa().required_number(place);
+        let around = place.field("columns");
+        let columns = self.columns().required(place).and_then(|columns| {
+            columns.report_oddities(&around);
+            pair(&columns.displacement_m(), &columns.shear_stress_pa(), &around)
+        });
+        let (displacement, shear) = columns?;
+        Some(ShearCurve { normal: normal?, displacement, shear })
+    }
+}
+
+/// Plate tests, checked.
+pub(crate) struct PlatesQuery(pub(crate) Vec<PlateCurve>);
+
+/// Shear tests, checked.
+pub(crate) struct ShearTestsQuery(pub(crate) Vec<ShearCurve>);
+
+impl Request for PlatesDto {
+    type Query = PlatesQuery;
+
+    fn check(&self, place: &Scope<'_>) -> Option<PlatesQuery> {
+        self.plates().each(place, PlateDto::check).map(PlatesQuery)
+    }
+}
+
+impl Request for ShearTestsDto {
+    type Query = ShearTestsQuery;
+
+    fn check(&self, place: &Scope<'_>) -> Option<ShearTestsQuery> {
+        self.curves().each(place, ShearCurveDto::check).map(ShearTestsQuery)
+    }
+}
+
+/// What plate tests whose fields are each right do not tell.
+pub(crate) fn plates_fault(error: PlatesError) -> FieldFault {
+    let pointer = match error {
+        PlatesError::Curve(plate) => format!("/plates/{plate}"),
+        PlatesError::Count | PlatesError::OneWidth | PlatesError::OneSinkage | PlatesError::NotFinite => "/plates".to_owned(),
+    };
+    FieldFault { pointer, detail: error.to_string() }
+}
+
+/// What shear tests whose fields are each right do not tell.
+pub(crate) fn shear_fault(error: ShearError) -> FieldFault {
+    let pointer = match error {
+        ShearError::Curve(curve) => format!("/curves/{curve}"),
+        ShearError::Count | ShearError::OneStress | ShearError::NoShear => "/curves".to_owned(),
+    };
+    FieldFault { pointer, detail: error.to_string() }
+}
