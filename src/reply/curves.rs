@@ -134,7 +134,7 @@ impl TryFrom<&PlatesQuery> for PlatesReply {
                 words::number(-k_c / k_phi),
                 words::number(narrowest)
             );
-            warn("negative_cohesive_modulus", detail);
+            warn("fitted_k_c_negative", detail);
         }
         if largest - least > EXPONENTS_APART * n0.abs() {
             let (least, largest) = (words::number(least), words::number(largest));

@@ -66,7 +66,7 @@ fn a_negative_cohesive_modulus_is_warned_of() {
     assert!(codes.contains(&&json!("exponents_differ")), "{reply}");
     let alike = json!({"plates": [plate(0.05, -5000.0, 820_000.0, 1.1), plate(0.15, -5000.0, 820_000.0, 1.1)]});
     let reply = post("/v1/identify/plates", &alike).ok();
-    assert_eq!(reply["warnings"][0]["code"], "negative_cohesive_modulus");
+    assert_eq!(reply["warnings"][0]["code"], "fitted_k_c_negative");
 }
 
 #[test]

@@ -6,6 +6,7 @@ use terramechanics::Error;
 
 use crate::design::{self, DesignGap};
 use crate::error::FitError;
+use crate::finding::{Estimate, Judgement};
 use crate::loss::Loss;
 use crate::observations::{Column, Observations, Quantity};
 use crate::problem::{Obstacle, Problem, Sought};
@@ -34,62 +35,6 @@ impl Default for FitOptions {
     fn default() -> Self {
         Self { starts: 1, loss: Loss::LeastSquares, evaluations: 20_000_000, until: None }
     }
-}
-
-/// Which bound an estimate lies at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Bound {
-    /// The lower one.
-    Lower,
-    /// The upper one.
-    Upper,
-}
-
-/// What the data tell of one unknown; the gravest finding.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Identifiability {
-    /// It is determined.
-    Determined,
-    /// The data would have it beyond the bound.
-    AtBound,
-    /// The data do not change with it.
-    WithoutEffect,
-    /// It can change together with the others, and the data stay the same.
-    Inseparable(Vec<Unknown>),
-    /// The operating points do not tell it from the others but by the assumed shape of the stresses.
-    Unseparated(DesignGap, Vec<Unknown>),
-    /// Another start led to a different value that explains the data as well.
-    SeveralSolutions {
-        /// That value.
-        other: f64,
-    },
-    /// The interval is wider than the estimate is of use, or none can be stated.
-    Uncertain,
-}
-
-impl Identifiability {
-    /// Whether the data determine the unknown, if need be up to a bound.
-    #[must_use]
-    pub fn is_determined(&self) -> bool {
-        matches!(self, Self::Determined | Self::AtBound)
-    }
-}
-
-/// What was found of one unknown.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Estimate {
-    /// The unknown.
-    pub unknown: Unknown,
-    /// Its value.
-    pub value: f64,
-    /// Standard error; none where the data leave it open. At a bound it is what would hold without the bound.
-    pub standard_error: Option<f64>,
-    /// Interval of 95 %, not cut at the bounds.
-    pub interval: Option<[f64; 2]>,
-    /// The bound at which it lies.
-    pub at_bound: Option<Bound>,
-    /// What the data tell of it.
-    pub identifiability: Identifiability,
 }
 
 /// One fitted column.
@@ -173,6 +118,40 @@ const SAME_COST: f64 = 1e-6;
 ///
 /// # Errors
 /// [`FitError`], where there is nothing that could be fitted.
+///
+/// ```
+/// use terramechanics::*;
+/// use terramechanics_identification::*;
+/// // The letter's own wheel and sand (its Fig. 1b), of which friction and shear modulus are not known.
+/// let exponent = SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None };
+/// let setup = Setup {
+///     wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?,
+///     soil: SoilParams {
+///         cohesion: 0.0,
+///         friction_angle: 0.6,
+///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 }),
+///         pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 747_530.0, exponent }),
+///         unit_weight: None,
+///         lateral_shear_modulus: None,
+///     },
+///     contact: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 },
+///     model: ForceModel::at_rim(Method::Quadrature),
+///     sinkage: SinkageSource::Measured,
+/// };
+/// let column = |values: [f64; 4]| Some(Column { values: values.to_vec(), deviation: None });
+/// // An independent integration with 401 000 points gave these torques.
+/// let observations = Observations {
+///     slip: [0.05, 0.5, 0.05, 0.5].into_iter().map(Slip::new).collect::<Result<_, _>>()?,
+///     sinkage: column([0.01, 0.01, 0.02, 0.02]),
+///     torque: column([1.2247, 2.9912, 5.0744, 8.3513]),
+///     ..Observations::default()
+/// };
+/// let sought = [Unknown::FrictionAngle, Unknown::ShearModulus].map(|unknown| Sought::from_setup(unknown, &setup));
+/// let found = fit(&setup, &observations, &sought, &FitOptions::default())?;
+/// assert!(found.converged() && found.is_identifiable());
+/// assert!((found.estimates[0].value - 0.478).abs() < 1e-4 && (found.estimates[1].value - 0.005).abs() < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn fit(setup: &Setup, observations: &Observations, sought: &[Sought], options: &FitOptions) -> Result<Fit, FitError> {
     let mut problem = Problem::new(*setup, observations, sought, options)?;
     let (mut best, mut others) = search(&problem, options.starts.clamp(1, MOST_STARTS))?;
@@ -313,66 +292,4 @@ fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, 
 fn fitted_column(quantity: Quantity, column: &Column, predictions: &[Prediction]) -> FittedColumn {
     let predicted = predictions.iter().map(|prediction| quantity.of(prediction)).collect();
     FittedColumn::new(quantity, column.values.clone(), predicted)
-}
-
-/// What every estimate is judged by.
-struct Judgement<'a> {
-    problem: &'a Problem<'a>,
-    best: &'a Found,
-    others: &'a [Found],
-    uncertainty: Option<&'a Uncertainty>,
-    gaps: &'a [(DesignGap, Vec<Unknown>)],
-    useful: &'a [f64],
-}
-
-/// Share of the useful width by which another solution has to differ to count as another.
-const DIFFERENT: f64 = 0.01;
-
-impl Judgement<'_> {
-    fn estimate(&self, i: usize) -> Estimate {
-        let Sought { unknown, bounds, .. } = self.problem.sought[i];
-        let value = self.best.values[i];
-        let slope = self.problem.scales[i].slope(value).abs();
-        let at_bound = match value {
-            value if value <= bounds.lower => Some(Bound::Lower),
-            value if value >= bounds.upper => Some(Bound::Upper),
-            _ => None,
-        };
-        let of = |list: fn(&Uncertainty) -> &Vec<Option<f64>>| self.uncertainty.and_then(|known| list(known)[i]);
-        let half_width = of(|known| &known.half_width).map(|half| half * slope);
-        Estimate {
-            unknown,
-            value,
-            standard_error: of(|known| &known.standard_error).map(|error| error * slope),
-            interval: half_width.map(|half| [value - half, value + half]),
-            at_bound,
-            identifiability: self.identifiability(i, half_width.map(|half| half / slope), at_bound),
-        }
-    }
-
-    /// The gravest finding; `half_width` is on the scaled unknown.
-    fn identifiability(&self, i: usize, half_width: Option<f64>, at_bound: Option<Bound>) -> Identifiability {
-        let unknown = self.problem.sought[i].unknown;
-        let Some(known) = self.uncertainty else { return Identifiability::Uncertain };
-        if known.without_effect[i] {
-            return Identifiability::WithoutEffect;
-        }
-        if known.is_dead(i) {
-            let others = known.moved_with(i).into_iter().map(|k| self.problem.sought[k].unknown).collect();
-            return Identifiability::Inseparable(others);
-        }
-        if let Some((gap, together)) = self.gaps.iter().find(|(_, together)| together.contains(&unknown)) {
-            let others = together.iter().copied().filter(|&other| other != unknown).collect();
-            return Identifiability::Unseparated(*gap, others);
-        }
-        let scale = self.problem.scales[i];
-        let distance = |found: &Found| (scale.inward(found.values[i]) - scale.inward(self.best.values[i])).abs();
-        if let Some(other) = self.others.iter().find(|found| distance(found) > DIFFERENT * self.useful[i]) {
-            return Identifiability::SeveralSolutions { other: other.values[i] };
-        }
-        if half_width.is_none_or(|half| half > self.useful[i]) {
-            return Identifiability::Uncertain;
-        }
-        if at_bound.is_some() { Identifiability::AtBound } else { Identifiability::Determined }
-    }
 }

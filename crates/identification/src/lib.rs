@@ -12,6 +12,7 @@
 
 mod design;
 mod error;
+mod finding;
 mod fit;
 mod linear;
 mod loss;
@@ -27,7 +28,8 @@ mod unknown;
 
 pub use design::DesignGap;
 pub use error::FitError;
-pub use fit::{Bound, Estimate, Fit, FitOptions, FittedColumn, Identifiability, MOST_STARTS, fit};
+pub use finding::{Bound, Estimate, Identifiability};
+pub use fit::{Fit, FitOptions, FittedColumn, MOST_STARTS, fit};
 pub use linear::{RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StressPoint, linear_strength};
 pub use loss::Loss;
 pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};

@@ -13,7 +13,7 @@ use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::{Estimate, Identifiability};
+use crate::finding::{Estimate, Identifiability};
 use crate::student::quantile_95;
 use crate::unknown::Unknown;
 

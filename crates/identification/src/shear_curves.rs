@@ -9,7 +9,7 @@ use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::{Bound, Estimate, Identifiability};
+use crate::finding::{Bound, Estimate, Identifiability};
 use crate::loss::Loss;
 use crate::plates::stated;
 use crate::uncertainty::{Evidence, Uncertainty};

@@ -78,7 +78,7 @@ pub(super) struct EstimateReply {
 }
 
 /// Share of the time for a computation that a search may take; the rest is for its report and for writing it.
-const SEARCHING: f64 = 0.7;
+const SEARCHING: f64 = 0.5;
 
 impl IdentifyReply {
     /// The answer, with a search that ends within its share of `patience`.

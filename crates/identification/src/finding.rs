@@ -1,0 +1,125 @@
+//! What is found of one unknown: value, error, and whether the data determine it at all.
+
+use crate::design::DesignGap;
+use crate::problem::{Problem, Sought};
+use crate::search::Found;
+use crate::uncertainty::Uncertainty;
+use crate::unknown::Unknown;
+
+/// Which bound an estimate lies at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// The lower one.
+    Lower,
+    /// The upper one.
+    Upper,
+}
+
+/// What the data tell of one unknown; the gravest finding.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Identifiability {
+    /// It is determined.
+    Determined,
+    /// The data would have it beyond the bound.
+    AtBound,
+    /// The data do not change with it.
+    WithoutEffect,
+    /// It can change together with the others, and the data stay the same.
+    Inseparable(Vec<Unknown>),
+    /// The operating points do not tell it from the others but by the assumed shape of the stresses.
+    Unseparated(DesignGap, Vec<Unknown>),
+    /// Another start led to a different value that explains the data as well.
+    SeveralSolutions {
+        /// That value.
+        other: f64,
+    },
+    /// The interval is wider than the estimate is of use, or none can be stated.
+    Uncertain,
+}
+
+impl Identifiability {
+    /// Whether the data determine the unknown, if need be up to a bound.
+    #[must_use]
+    pub fn is_determined(&self) -> bool {
+        matches!(self, Self::Determined | Self::AtBound)
+    }
+}
+
+/// What was found of one unknown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// The unknown.
+    pub unknown: Unknown,
+    /// Its value.
+    pub value: f64,
+    /// Standard error; none where the data leave it open. At a bound it is what would hold without the bound.
+    pub standard_error: Option<f64>,
+    /// Interval of 95 %, not cut at the bounds.
+    pub interval: Option<[f64; 2]>,
+    /// The bound at which it lies.
+    pub at_bound: Option<Bound>,
+    /// What the data tell of it.
+    pub identifiability: Identifiability,
+}
+
+/// What every estimate is judged by.
+pub(crate) struct Judgement<'a> {
+    pub(crate) problem: &'a Problem<'a>,
+    pub(crate) best: &'a Found,
+    pub(crate) others: &'a [Found],
+    pub(crate) uncertainty: Option<&'a Uncertainty>,
+    pub(crate) gaps: &'a [(DesignGap, Vec<Unknown>)],
+    pub(crate) useful: &'a [f64],
+}
+
+/// Share of the useful width by which another solution has to differ to count as another.
+const DIFFERENT: f64 = 0.01;
+
+impl Judgement<'_> {
+    pub(crate) fn estimate(&self, i: usize) -> Estimate {
+        let Sought { unknown, bounds, .. } = self.problem.sought[i];
+        let value = self.best.values[i];
+        let slope = self.problem.scales[i].slope(value).abs();
+        let at_bound = match value {
+            value if value <= bounds.lower => Some(Bound::Lower),
+            value if value >= bounds.upper => Some(Bound::Upper),
+            _ => None,
+        };
+        let of = |list: fn(&Uncertainty) -> &Vec<Option<f64>>| self.uncertainty.and_then(|known| list(known)[i]);
+        let half_width = of(|known| &known.half_width).map(|half| half * slope);
+        Estimate {
+            unknown,
+            value,
+            standard_error: of(|known| &known.standard_error).map(|error| error * slope),
+            interval: half_width.map(|half| [value - half, value + half]),
+            at_bound,
+            identifiability: self.identifiability(i, half_width.map(|half| half / slope), at_bound),
+        }
+    }
+
+    /// The gravest finding; `half_width` is on the scaled unknown.
+    fn identifiability(&self, i: usize, half_width: Option<f64>, at_bound: Option<Bound>) -> Identifiability {
+        let unknown = self.problem.sought[i].unknown;
+        let Some(known) = self.uncertainty else { return Identifiability::Uncertain };
+        if known.without_effect[i] {
+            return Identifiability::WithoutEffect;
+        }
+        if known.is_dead(i) {
+            let others = known.moved_with(i).into_iter().map(|k| self.problem.sought[k].unknown).collect();
+            return Identifiability::Inseparable(others);
+        }
+        if let Some((gap, together)) = self.gaps.iter().find(|(_, together)| together.contains(&unknown)) {
+            let others = together.iter().copied().filter(|&other| other != unknown).collect();
+            return Identifiability::Unseparated(*gap, others);
+        }
+        let scale = self.problem.scales[i];
+        let distance = |found: &Found| (scale.inward(found.values[i]) - scale.inward(self.best.values[i])).abs();
+        if let Some(other) = self.others.iter().find(|found| distance(found) > DIFFERENT * self.useful[i]) {
+            return Identifiability::SeveralSolutions { other: other.values[i] };
+        }
+        if half_width.is_none_or(|half| half > self.useful[i]) {
+            return Identifiability::Uncertain;
+        }
+        if at_bound.is_some() { Identifiability::AtBound } else { Identifiability::Determined }
+    }
+}
