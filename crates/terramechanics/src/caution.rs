@@ -13,6 +13,11 @@ pub enum Caution {
     SlipGainExtrapolated,
     /// The slip–sinkage relation was fitted to driving wheels and is applied to a braking one.
     SlipSinkageExtrapolated,
+    /// Load and torque leave a normal stress at the peak that would have to pull.
+    NegativeNormalStress {
+        /// The normal stress at the peak (Pa).
+        stress: f64,
+    },
     /// The integrals by quadrature may be off by more than 1e-9 of the scale of the forces.
     IntegrationError {
         /// Estimate of the relative error.
@@ -36,6 +41,7 @@ impl Caution {
         match self {
             Self::SlipGainExtrapolated => "slip_gain_extrapolated",
             Self::SlipSinkageExtrapolated => "slip_sinkage_extrapolated",
+            Self::NegativeNormalStress { .. } => "negative_normal_stress",
             Self::IntegrationError { .. } => "integration_error",
         }
     }
@@ -53,6 +59,11 @@ impl fmt::Display for Caution {
             Self::SlipSinkageExtrapolated => {
                 write!(f, "the slip–sinkage law was fitted to driving wheels; at negative slip it extrapolates")
             }
+            Self::NegativeNormalStress { stress } => write!(
+                f,
+                "load and torque leave a normal stress of {stress:.3e} Pa at the peak, but soil cannot pull: they do not belong \
+                 together at this slip and sinkage"
+            ),
             Self::IntegrationError { estimate } => {
                 write!(f, "the integrals may be off by {estimate:.1e} of the scale of the forces")
             }

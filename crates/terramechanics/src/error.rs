@@ -33,6 +33,7 @@ pub enum Parameter {
     Sinkage,
     StaticSinkage,
     NormalLoad,
+    Torque,
     LambdaA,
     LambdaB,
 }
@@ -196,6 +197,12 @@ pub enum Error {
         /// The best sinkage (m).
         sinkage: f64,
     },
+    /// By linear stresses no normal stress carries a load, because the shear stress that goes with it pulls the wheel down as
+    /// much as it supports it.
+    LoadNotCoupled {
+        /// Support that is left of 1 for the normal stress alone (–).
+        support: f64,
+    },
     /// The numbers are so large or so small that a result overflows.
     NotFinite,
 }
@@ -257,6 +264,12 @@ impl fmt::Display for Error {
                 Digits(load),
                 Digits(sinkage),
                 Digits(residual)
+            ),
+            Self::LoadNotCoupled { support } => write!(
+                f,
+                "no normal stress carries a load here: with the shear stress of this braking wheel only {} is left of each newton \
+                 that the normal stress supports",
+                Digits(support)
             ),
             Self::NotFinite => write!(f, "the result overflows: the inputs are too large or too small together"),
         }

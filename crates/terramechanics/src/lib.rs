@@ -10,9 +10,12 @@
 //! The way through: a [`Wheel`], a [`Soil`] and a [`Contact`] make a [`WheelOnSoil`]; at a [`Slip`] it is [`Rolling`]; at a
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
+//!
+//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured.
 
 mod caution;
 mod contact;
+mod coupled;
 mod error;
 mod forces;
 mod load;
@@ -30,6 +33,7 @@ mod wheel;
 
 pub use caution::{Caution, cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
+pub use coupled::{Coupled, CoupledForces};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
 pub use load::CarriedLoad;

@@ -46,6 +46,17 @@ pub enum NormalStressRadius {
     Shearing,
 }
 
+impl NormalStressRadius {
+    /// The radius r_n (m) of `wheel`.
+    #[must_use]
+    pub fn of(self, wheel: &Wheel) -> f64 {
+        match self {
+            Self::Rim => wheel.radius(),
+            Self::Shearing => wheel.shearing_radius(),
+        }
+    }
+}
+
 /// How the forces are found from the stresses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
@@ -94,10 +105,7 @@ impl ForceModel {
     /// Radius r_n (m) at which the normal stress acts on `wheel`.
     #[must_use]
     pub fn normal_stress_radius(&self, wheel: &Wheel) -> f64 {
-        match self.normal_stress_radius {
-            NormalStressRadius::Rim => wheel.radius(),
-            NormalStressRadius::Shearing => wheel.shearing_radius(),
-        }
+        self.normal_stress_radius.of(wheel)
     }
 
     /// Forces and torque on the wheel in the contact `patch`.
