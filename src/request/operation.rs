@@ -284,7 +284,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
         Error::PeakOutsideContact { .. } => "/contact",
-        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } => "/normal_load_n",
+        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } | Error::LoadNotCoupled { .. } => "/normal_load_n",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
         Error::NotFinite => "",
         Error::Invalid(fault) => match fault.parameter {

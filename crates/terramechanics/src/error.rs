@@ -36,6 +36,9 @@ pub enum Parameter {
     Torque,
     LambdaA,
     LambdaB,
+    StallSlip,
+    StallTime,
+    EntrapmentShare,
 }
 
 /// What a value has to satisfy.

@@ -11,12 +11,14 @@
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
 //!
-//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured.
+//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured; a [`Tracker`] follows a wheel over time,
+//! one [`Sample`] after another.
 
 mod caution;
 mod contact;
 mod coupled;
 mod error;
+mod events;
 mod forces;
 mod load;
 mod numerics;
@@ -29,12 +31,14 @@ mod slip_sinkage;
 mod soil;
 mod stress;
 mod sweep;
+mod track;
 mod wheel;
 
 pub use caution::{Caution, cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
 pub use coupled::{Coupled, CoupledForces};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
+pub use events::{Event, EventKind, Thresholds};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
 pub use load::CarriedLoad;
 pub use operation::{OperatingPoint, Operation, Sinkage};
@@ -46,4 +50,5 @@ pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};
 pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
 pub use sweep::{Gap, SlipSweep};
+pub use track::{Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};

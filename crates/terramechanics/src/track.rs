@@ -1,0 +1,496 @@
+//! How do sinkage, forces, power and energy of a wheel develop over time? Telemetry, one sample after another.
+//!
+//! Each sample is an operating point of its own: nothing but time, energy and events carries over, so memory stays constant
+//! and a row does not depend on the rows before it.
+//!
+//! * Power P = T ω; energy ∫ P dt by the trapezoidal rule, exact where the power is linear between samples.
+//! * A sample without a result counts as not sent: the trapezoid spans the gap between its neighbours. Where the time runs
+//!   backwards, no energy is added and the count goes on from the new time.
+//! * At rest, v = ω = 0, the slip is 0 by convention (letter, Eq. 2) and the row is that of the rolling limit s → 0; its power
+//!   is 0 because ω is.
+//! * A wheel that the soil does not carry at any sinkage up to its axle has no forces, but it counts as entrapped.
+
+use crate::coupled::Coupled;
+use crate::error::{Error, InvalidInput};
+use crate::events::{Event, EventKind, Thresholds, Watch};
+use crate::operation::{Operation, Sinkage};
+use crate::slip::{Heading, Motion, Slip, Velocities};
+
+/// How the motion of a sample is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SampleMotion {
+    /// By the slip ratio (–); there is no power then.
+    Slip(f64),
+    /// By both velocities.
+    Velocities(Velocities),
+}
+
+/// What was measured at one time; a NaN is a value that is missing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Time (s).
+    pub time: f64,
+    /// The motion.
+    pub motion: SampleMotion,
+    /// The sinkage: as measured, or how it is found.
+    pub sinkage: Sinkage,
+    /// Torque (N·m) and normal load (N), where both are measured: then Ding's coupled form gives the pull as well.
+    pub measured: Option<Measured>,
+}
+
+/// Torque and load of a sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Torque T (N·m), positive when it turns the wheel forward.
+    pub torque: f64,
+    /// Normal load W (N).
+    pub normal_load: f64,
+}
+
+/// Whether a sample has a result, and if not, why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// It has.
+    Ok,
+    /// It has, and the wheel is at rest.
+    Static,
+    /// A value is missing or no number.
+    MissingValue,
+    /// A value is infinite, or a load or sinkage is not positive.
+    OutOfRange,
+    /// The slip is not from −1 to 1.
+    SlipOutOfRange,
+    /// The wheel moves against its own rotation.
+    OppositeRotation,
+    /// The time is before that of the sample before.
+    TimeBackwards,
+    /// The model has no answer there.
+    NoSolution,
+}
+
+impl Status {
+    /// All that can be.
+    pub const ALL: [Self; 8] = [
+        Self::Ok,
+        Self::Static,
+        Self::MissingValue,
+        Self::OutOfRange,
+        Self::SlipOutOfRange,
+        Self::OppositeRotation,
+        Self::TimeBackwards,
+        Self::NoSolution,
+    ];
+
+    /// A name for programs.
+    #[must_use]
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::Static => "static",
+            Self::MissingValue => "missing_value",
+            Self::OutOfRange => "out_of_range",
+            Self::SlipOutOfRange => "slip_out_of_range",
+            Self::OppositeRotation => "opposite_rotation",
+            Self::TimeBackwards => "time_backwards",
+            Self::NoSolution => "no_solution",
+        }
+    }
+
+    /// Whether the sample has a result.
+    #[must_use]
+    pub fn is_good(self) -> bool {
+        matches!(self, Self::Ok | Self::Static)
+    }
+}
+
+/// What follows from a sample; NaN where there is no value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrackRow {
+    /// Time (s).
+    pub time: f64,
+    /// Slip s (–); known as well where only the forces have no solution.
+    pub slip: f64,
+    /// Sinkage z (m).
+    pub sinkage: f64,
+    /// Longitudinal force F_x (N).
+    pub longitudinal: f64,
+    /// Normal force F_z (N).
+    pub normal: f64,
+    /// Torque T (N·m).
+    pub torque: f64,
+    /// Drawbar coefficient F_x/F_z (–).
+    pub drawbar_coefficient: f64,
+    /// Tractive efficiency (–).
+    pub tractive_efficiency: f64,
+    /// Mechanical power T ω (W).
+    pub power: f64,
+    /// Energy since the first sample (J).
+    pub energy: f64,
+    /// Longitudinal force (N) by Ding's coupled form from the measured torque and load.
+    pub longitudinal_coupled: f64,
+    /// Whether there is a result.
+    pub status: Status,
+}
+
+/// Samples of one status.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tally {
+    /// How many there were.
+    pub count: u64,
+    /// The first of them, counted from 0.
+    pub first_row: u64,
+    /// Why the model refused the first, where it did.
+    pub error: Option<Error>,
+}
+
+/// Follows a wheel over time.
+#[derive(Debug, Clone)]
+pub struct Tracker {
+    operation: Operation,
+    entrapment_sinkage: f64,
+    stall_slip: f64,
+    stall: Watch,
+    entrapment: Watch,
+    events: Vec<Event>,
+    events_left_out: u64,
+    rows: u64,
+    latest_time: Option<f64>,
+    /// Time and power of the last good sample.
+    latest_power: Option<(f64, f64)>,
+    energy: CompensatedSum,
+    tallies: [Option<Tally>; Status::ALL.len()],
+    not_coupled: Option<Tally>,
+    braked: bool,
+    backward: bool,
+    integration_error: f64,
+}
+
+/// Events that are kept; a run with more is told how many there were.
+const MOST_EVENTS: usize = 1000;
+
+/// What one sample gives where it is good.
+struct Reached {
+    row: TrackRow,
+    heading: Heading,
+    integration_error: f64,
+    coupled: Option<Result<f64, Error>>,
+}
+
+impl Tracker {
+    /// A tracker at its start, by the wheel, the soil and the method of `operation`; how the sinkage is known, each sample says.
+    ///
+    /// # Errors
+    /// Every threshold outside its range.
+    ///
+    /// ```
+    /// use terramechanics::*;
+    /// # let exponent = SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None };
+    /// # let system = WheelOnSoil {
+    /// #     wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?,
+    /// #     soil: Soil::new(SoilParams {
+    /// #         cohesion: 0.0,
+    /// #         friction_angle: 0.478,
+    /// #         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
+    /// #         pressure_sinkage: PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent }),
+    /// #     })?,
+    /// #     contact: Contact::MIDPOINT,
+    /// # };
+    /// let sinkage = Sinkage::Given(0.02);
+    /// let operation = Operation { system, model: ForceModel::at_rim(Method::Quadrature), sinkage };
+    /// let mut tracker = Tracker::new(operation, Thresholds::default())?;
+    /// for second in 0..=2 {
+    ///     let velocities = Velocities { forward: 0.16, angular: 1.0 }; // 20 % slip
+    ///     let sample = Sample {
+    ///         time: f64::from(second),
+    ///         motion: SampleMotion::Velocities(velocities),
+    ///         sinkage,
+    ///         measured: None,
+    ///     };
+    ///     let row = tracker.push(&sample);
+    ///     // 7.3396 N·m by an independent integration; at 1 rad/s that many watts.
+    ///     assert!((row.power - 7.3396).abs() < 5e-5);
+    ///     assert!((row.energy - 7.3396 * f64::from(second)).abs() < 1e-4);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(operation: Operation, thresholds: Thresholds) -> Result<Self, InvalidInput> {
+        thresholds.check()?;
+        Ok(Self {
+            operation,
+            entrapment_sinkage: thresholds.entrapment_share * operation.system.wheel.radius(),
+            stall_slip: thresholds.stall_slip,
+            stall: Watch::new(EventKind::Stall, thresholds.stall_time),
+            entrapment: Watch::new(EventKind::Entrapment, 0.0),
+            events: Vec::new(),
+            events_left_out: 0,
+            rows: 0,
+            latest_time: None,
+            latest_power: None,
+            energy: CompensatedSum::default(),
+            tallies: [None; Status::ALL.len()],
+            not_coupled: None,
+            braked: false,
+            backward: false,
+            integration_error: 0.0,
+        })
+    }
+
+    /// What follows from the next sample.
+    pub fn push(&mut self, sample: &Sample) -> TrackRow {
+        let index = self.rows;
+        self.rows += 1;
+        let mut slip = f64::NAN;
+        let outcome = self.in_time(sample.time).and_then(|()| self.reached(sample, &mut slip));
+        let (row, error) = match outcome {
+            Ok(reached) => (self.accept(index, reached), None),
+            Err((status, error)) => (TrackRow::bad(sample.time, slip, status), error),
+        };
+        count(&mut self.tallies[row.status as usize], index, error);
+        self.watch(index, &row, error);
+        row
+    }
+
+    /// Whether the sample follows the one before in time.
+    fn in_time(&mut self, time: f64) -> Result<(), Refused> {
+        present(time)?;
+        let backwards = self.latest_time.replace(time).is_some_and(|latest| time < latest);
+        if backwards {
+            self.latest_power = None; // the interval has no length
+            self.finish();
+            return Err((Status::TimeBackwards, None));
+        }
+        Ok(())
+    }
+
+    /// The operating point of a sample; its slip is told as well where there is no more than that.
+    fn reached(&self, sample: &Sample, slip: &mut f64) -> Result<Reached, Refused> {
+        let (motion, angular) = self.motion(&sample.motion)?;
+        *slip = motion.slip.ratio();
+        match sample.sinkage {
+            Sinkage::Given(sinkage) => positive(sinkage)?,
+            Sinkage::CarryingLoad(load) => positive(load)?,
+            Sinkage::FromStatic { static_sinkage, .. } => positive(static_sinkage)?,
+        }
+        if let Some(Measured { torque, normal_load }) = sample.measured {
+            present(torque)?;
+            positive(normal_load)?;
+        }
+        let unsolved = |error| (Status::NoSolution, Some(error));
+        let operation = Operation { sinkage: sample.sinkage, ..self.operation };
+        let point = operation.at(motion.slip).map_err(unsolved)?;
+        let forces = point.forces.heading(motion.heading);
+        let wheel = &operation.system.wheel;
+        let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
+        if power.is_infinite() {
+            return Err(unsolved(Error::NotFinite));
+        }
+        let at_rest = matches!(sample.motion, SampleMotion::Velocities(Velocities { forward: 0.0, angular: 0.0 }));
+        let row = TrackRow {
+            time: sample.time,
+            slip: *slip,
+            sinkage: point.sinkage,
+            longitudinal: forces.longitudinal,
+            normal: forces.normal,
+            torque: forces.torque,
+            drawbar_coefficient: forces.drawbar_coefficient().unwrap_or(f64::NAN),
+            tractive_efficiency: forces.tractive_efficiency(wheel, motion.slip, motion.heading).unwrap_or(f64::NAN),
+            power,
+            energy: f64::NAN,
+            longitudinal_coupled: f64::NAN,
+            status: if at_rest { Status::Static } else { Status::Ok },
+        };
+        let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
+        Ok(Reached { row, heading: motion.heading, integration_error: forces.integration_error, coupled })
+    }
+
+    /// Slip and heading, and the angular velocity (rad/s) where it is known.
+    fn motion(&self, motion: &SampleMotion) -> Result<(Motion, Option<f64>), Refused> {
+        match *motion {
+            SampleMotion::Slip(ratio) => {
+                if ratio.is_nan() {
+                    return Err((Status::MissingValue, None));
+                }
+                let slip = Slip::new(ratio).map_err(|error| (Status::SlipOutOfRange, Some(error)))?;
+                Ok((Motion { slip, heading: Heading::Forward }, None))
+            }
+            SampleMotion::Velocities(velocities) => {
+                present(velocities.forward)?;
+                present(velocities.angular)?;
+                let motion = Motion::of(&self.operation.system.wheel, velocities).map_err(|error| match error {
+                    Error::OppositeRotation { .. } => (Status::OppositeRotation, Some(error)),
+                    _ => (Status::OutOfRange, Some(error)),
+                })?;
+                Ok((motion, Some(velocities.angular)))
+            }
+        }
+    }
+
+    /// The pull that follows from the measured torque and load.
+    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<f64, Error> {
+        let rolling = self.operation.system.rolling(motion.slip)?;
+        let ahead = if motion.heading == Heading::Backward { -measured.torque } else { measured.torque };
+        let known = Coupled {
+            normal_load: measured.normal_load,
+            torque: Some(ahead),
+            normal_stress_radius: self.operation.model.normal_stress_radius,
+        };
+        Ok(known.forces(&rolling.contact(sinkage)?)?.heading(motion.heading).longitudinal)
+    }
+
+    /// Adds the energy up to a good sample, and what the run remembers of it.
+    fn accept(&mut self, index: u64, reached: Reached) -> TrackRow {
+        let Reached { mut row, heading, integration_error, coupled } = reached;
+        if row.power.is_finite() {
+            if let Some((time, power)) = self.latest_power {
+                self.energy.add(0.5 * (power + row.power) * (row.time - time));
+            }
+            self.latest_power = Some((row.time, row.power));
+            row.energy = self.energy.value();
+        }
+        match coupled {
+            Some(Ok(force)) => row.longitudinal_coupled = force,
+            Some(Err(error)) => count(&mut self.not_coupled, index, Some(error)),
+            None => {}
+        }
+        self.braked |= row.slip < 0.0;
+        self.backward |= heading == Heading::Backward;
+        self.integration_error = self.integration_error.max(integration_error);
+        row
+    }
+
+    /// Looks for events. A sample of which nothing is known neither starts nor ends one.
+    fn watch(&mut self, index: u64, row: &TrackRow, error: Option<Error>) {
+        let beyond_axle = match error {
+            Some(Error::LoadBeyondCapacity { .. }) => true,
+            Some(Error::SinkageOutsideWheel { sinkage, radius }) => sinkage > radius,
+            _ => false,
+        };
+        let stalled = row.slip.is_finite().then(|| self.stall.see(row.slip >= self.stall_slip, index, row.time));
+        let known = row.status.is_good() || beyond_axle;
+        let trapped = known.then(|| self.entrapment.see(beyond_axle || row.sinkage > self.entrapment_sinkage, index, row.time));
+        for event in [stalled.flatten(), trapped.flatten()].into_iter().flatten() {
+            self.keep(event);
+        }
+    }
+
+    fn keep(&mut self, event: Event) {
+        if self.events.len() < MOST_EVENTS {
+            self.events.push(event);
+        } else {
+            self.events_left_out += 1;
+        }
+    }
+
+    /// Ends the events that last until now: to be called after the last sample.
+    pub fn finish(&mut self) {
+        for event in [self.stall.end(), self.entrapment.end()].into_iter().flatten() {
+            self.keep(event);
+        }
+    }
+
+    /// The events that have ended, and how many more there were than are kept.
+    #[must_use]
+    pub fn events(&self) -> (&[Event], u64) {
+        (&self.events, self.events_left_out)
+    }
+
+    /// Samples so far.
+    #[must_use]
+    pub fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// The samples of a status, if there were any.
+    #[must_use]
+    pub fn tally(&self, status: Status) -> Option<&Tally> {
+        self.tallies[status as usize].as_ref()
+    }
+
+    /// The good samples for which the coupled form has no answer, if there were any.
+    #[must_use]
+    pub fn not_coupled(&self) -> Option<&Tally> {
+        self.not_coupled.as_ref()
+    }
+
+    /// Whether a good sample braked.
+    #[must_use]
+    pub fn has_braked(&self) -> bool {
+        self.braked
+    }
+
+    /// Whether the wheel moved backward at a good sample.
+    #[must_use]
+    pub fn has_moved_backward(&self) -> bool {
+        self.backward
+    }
+
+    /// Largest estimate of the relative error of the integrals (–).
+    #[must_use]
+    pub fn integration_error(&self) -> f64 {
+        self.integration_error
+    }
+}
+
+/// Why a sample has no result.
+type Refused = (Status, Option<Error>);
+
+fn present(value: f64) -> Result<(), Refused> {
+    if value.is_nan() {
+        Err((Status::MissingValue, None))
+    } else if value.is_infinite() {
+        Err((Status::OutOfRange, None))
+    } else {
+        Ok(())
+    }
+}
+
+fn positive(value: f64) -> Result<(), Refused> {
+    present(value)?;
+    if value > 0.0 { Ok(()) } else { Err((Status::OutOfRange, None)) }
+}
+
+fn count(tally: &mut Option<Tally>, row: u64, error: Option<Error>) {
+    match tally {
+        Some(tally) => tally.count += 1,
+        None => *tally = Some(Tally { count: 1, first_row: row, error }),
+    }
+}
+
+impl TrackRow {
+    fn bad(time: f64, slip: f64, status: Status) -> Self {
+        let none = f64::NAN;
+        Self {
+            time,
+            slip,
+            sinkage: none,
+            longitudinal: none,
+            normal: none,
+            torque: none,
+            drawbar_coefficient: none,
+            tractive_efficiency: none,
+            power: none,
+            energy: none,
+            longitudinal_coupled: none,
+            status,
+        }
+    }
+}
+
+/// A sum that keeps the digits of small terms after millions of them (Neumaier 1974).
+#[derive(Debug, Clone, Copy, Default)]
+struct CompensatedSum {
+    sum: f64,
+    lost: f64,
+}
+
+impl CompensatedSum {
+    fn add(&mut self, term: f64) {
+        let sum = self.sum + term;
+        self.lost += if self.sum.abs() >= term.abs() { (self.sum - sum) + term } else { (term - sum) + self.sum };
+        self.sum = sum;
+    }
+
+    fn value(self) -> f64 {
+        self.sum + self.lost
+    }
+}
