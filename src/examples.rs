@@ -2,13 +2,17 @@
 //!
 //! Numbers of replies are rounded, so that the document does not depend on the last bit of a machine's library.
 
+use axum::body::Bytes;
 use serde_json::{Value, json};
 use utoipa::openapi::path::ParameterBuilder;
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
+use crate::extract::SeriesForm;
 use crate::reply::{CompareReply, ForcesReply, ProfileReply, Reply, SweepReply, csv};
-use crate::request::{CompareDto, ForcesDto, ProfileDto, Request, SweepDto, checked};
+use crate::request::{CompareDto, ForcesDto, ProfileDto, Request, SweepDto, TrackDto, checked};
+use crate::series::Run;
+use crate::stream::{Progress, Work};
 use crate::wire::read;
 
 /// Digits kept of a number in an example.
@@ -61,7 +65,7 @@ fn set_parameters(operation: &mut utoipa::openapi::path::Operation, body: &Value
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 4] {
+fn bodies() -> [(&'static str, Value, Answer); 5] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -81,6 +85,13 @@ fn bodies() -> [(&'static str, Value, Answer); 4] {
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": [0.1, 0.3], "sinkage_m": 0.02,
         "methods": ["quadrature", "linearised", "explicit"]
     });
+    let track = json!({
+        "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80, "method": "explicit",
+        "columns": {
+            "time_s": [0, 1, 2, 3], "forward_velocity_m_s": [0, 0.16, null, 0.1], "angular_velocity_rad_s": [0, 1, 1, 1]
+        }
+    });
+    let track_reply = track_answer(&track);
     let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
@@ -90,6 +101,34 @@ fn bodies() -> [(&'static str, Value, Answer); 4] {
         ("/v1/stress-profile", profile, profile_reply),
         ("/v1/slip-sweep", sweep, sweep_reply),
         ("/v1/compare", compare, compare_reply),
+        ("/v1/track", track, track_reply),
+    ]
+}
+
+/// What a run over samples gives, in every form.
+fn track_answer(request: &Value) -> Answer {
+    let text = request.to_string();
+    let run = |form: SeriesForm| {
+        let query = checked::<TrackDto>(&read(text.as_bytes()).ok()?).ok()?;
+        let mut output = Vec::new();
+        let mut run = Run::over_samples(query, form);
+        while run.slice(&mut Bytes::new(), true, &mut output).ok()? != Progress::Complete {}
+        String::from_utf8(output).ok()
+    };
+    let json: Option<Value> = run(SeriesForm::Json).and_then(|text| serde_json::from_str(&text).ok());
+    let rounded_cell = |cell: &str| cell.parse().map_or_else(|_| cell.to_owned(), |value: f64| format!("{:?}", rounded(value)));
+    let rounded_line = |line: &str| match line.strip_prefix('#') {
+        Some(_) => line.to_owned(),
+        None => line.split(',').map(rounded_cell).collect::<Vec<_>>().join(","),
+    };
+    let rounded_object = |line: &str| serde_json::from_str(line).map(with_rounded_numbers).unwrap_or_default().to_string();
+    let lines = |text: Option<String>, rounded: &dyn Fn(&str) -> String| -> String {
+        text.iter().flat_map(|text| text.lines()).map(|line| rounded(line) + "\n").collect()
+    };
+    vec![
+        ("application/json", json.map(with_rounded_numbers).unwrap_or_default()),
+        ("text/csv", lines(run(SeriesForm::Csv), &rounded_line).into()),
+        ("application/x-ndjson", lines(run(SeriesForm::Ndjson), &rounded_object).into()),
     ]
 }
 

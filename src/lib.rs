@@ -18,7 +18,9 @@ mod page;
 mod problem;
 mod reply;
 mod request;
+mod series;
 pub mod server;
+mod stream;
 mod wire;
 
 pub use app::{Limits, Service, app, layered};

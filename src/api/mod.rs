@@ -8,6 +8,7 @@ mod operations;
 mod responses;
 mod slip_sweep;
 mod stress_profile;
+mod track;
 
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -21,6 +22,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .routes(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .routes(routes!(compare::compare))
+        .routes(routes!(track::track))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

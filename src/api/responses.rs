@@ -33,6 +33,21 @@ impl IntoResponses for InvalidBody {
     }
 }
 
+/// What can be wrong with a body that is a series.
+pub(super) struct InvalidSeries;
+
+impl IntoResponses for InvalidSeries {
+    fn responses() -> BTreeMap<String, RefOr<Response>> {
+        problems(&[
+            ("400", "The body cannot be read; line and column of the fault"),
+            ("408", "The body did not arrive in time"),
+            ("413", "The JSON body is too large; the other forms have no limit"),
+            ("415", "The body is not declared as JSON, CSV or NDJSON"),
+            ("422", "The request cannot be computed; every fault with a JSON pointer"),
+        ])
+    }
+}
+
 /// What can be wrong with a query.
 pub(super) struct InvalidQuery;
 

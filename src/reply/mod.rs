@@ -4,12 +4,14 @@ mod compare;
 mod forces;
 mod slip_sweep;
 mod stress_profile;
+mod track;
 mod warning;
 
 pub(crate) use compare::CompareReply;
 pub(crate) use forces::ForcesReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;
+pub(crate) use track::{EventReply, Findings, TrackReply};
 pub(crate) use warning::Warning;
 
 use std::borrow::Cow;

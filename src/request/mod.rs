@@ -5,9 +5,11 @@ mod compare;
 mod contact;
 mod forces;
 mod operation;
+mod series;
 mod slip_sweep;
 mod soil;
 mod stress_profile;
+mod track;
 mod wheel;
 
 pub(crate) use compare::{CompareDto, CompareQuery};
@@ -15,9 +17,12 @@ pub(crate) use contact::{ContactDto, RULES};
 pub(crate) use forces::{ForcesDto, ForcesQuery};
 pub(crate) use operation::SlipSinkageDto;
 pub(crate) use operation::{error_fault, error_pointer};
+use series::ColumnsDto;
+pub(crate) use series::Samples;
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};
 pub(crate) use soil::{LAWS, SHEAR_LAWS, SoilDto};
 pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
+pub(crate) use track::{TrackDto, TrackPlan, TrackQuery, TrackSettings, checked_settings};
 pub(crate) use wheel::WheelDto;
 
 use std::cell::RefCell;

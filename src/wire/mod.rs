@@ -12,7 +12,7 @@ mod number;
 mod object;
 mod query;
 
-pub(crate) use choice::{Choice, nearest, unknown_word};
+pub(crate) use choice::{Choice, nearest, shortened, unknown_word};
 pub(crate) use entry::Entry;
 pub(crate) use faults::{FieldFault, Scope};
 pub(crate) use field::{Field, Wire, read};

@@ -10,6 +10,7 @@
 //!   is 0 because ω is.
 //! * A wheel that the soil does not carry at any sinkage up to its axle has no forces, but it counts as entrapped.
 
+use crate::caution::{Caution, cautions};
 use crate::coupled::Coupled;
 use crate::error::{Error, InvalidInput};
 use crate::events::{Event, EventKind, Thresholds, Watch};
@@ -160,7 +161,8 @@ pub struct Tracker {
     energy: CompensatedSum,
     tallies: [Option<Tally>; Status::ALL.len()],
     not_coupled: Option<Tally>,
-    braked: bool,
+    /// The first good sample that braked: its cautions hold for all that do.
+    braked: Option<(Slip, Sinkage)>,
     backward: bool,
     integration_error: f64,
 }
@@ -171,6 +173,7 @@ const MOST_EVENTS: usize = 1000;
 /// What one sample gives where it is good.
 struct Reached {
     row: TrackRow,
+    slip: Slip,
     heading: Heading,
     integration_error: f64,
     coupled: Option<Result<f64, Error>>,
@@ -229,7 +232,7 @@ impl Tracker {
             energy: CompensatedSum::default(),
             tallies: [None; Status::ALL.len()],
             not_coupled: None,
-            braked: false,
+            braked: None,
             backward: false,
             integration_error: 0.0,
         })
@@ -242,7 +245,7 @@ impl Tracker {
         let mut slip = f64::NAN;
         let outcome = self.in_time(sample.time).and_then(|()| self.reached(sample, &mut slip));
         let (row, error) = match outcome {
-            Ok(reached) => (self.accept(index, reached), None),
+            Ok(reached) => (self.accept(index, sample.sinkage, reached), None),
             Err((status, error)) => (TrackRow::bad(sample.time, slip, status), error),
         };
         count(&mut self.tallies[row.status as usize], index, error);
@@ -300,7 +303,7 @@ impl Tracker {
             status: if at_rest { Status::Static } else { Status::Ok },
         };
         let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
-        Ok(Reached { row, heading: motion.heading, integration_error: forces.integration_error, coupled })
+        Ok(Reached { row, slip: motion.slip, heading: motion.heading, integration_error: forces.integration_error, coupled })
     }
 
     /// Slip and heading, and the angular velocity (rad/s) where it is known.
@@ -338,8 +341,8 @@ impl Tracker {
     }
 
     /// Adds the energy up to a good sample, and what the run remembers of it.
-    fn accept(&mut self, index: u64, reached: Reached) -> TrackRow {
-        let Reached { mut row, heading, integration_error, coupled } = reached;
+    fn accept(&mut self, index: u64, sinkage: Sinkage, reached: Reached) -> TrackRow {
+        let Reached { mut row, slip, heading, integration_error, coupled } = reached;
         if row.power.is_finite() {
             if let Some((time, power)) = self.latest_power {
                 self.energy.add(0.5 * (power + row.power) * (row.time - time));
@@ -352,7 +355,9 @@ impl Tracker {
             Some(Err(error)) => count(&mut self.not_coupled, index, Some(error)),
             None => {}
         }
-        self.braked |= row.slip < 0.0;
+        if self.braked.is_none() && !slip.is_driving() {
+            self.braked = Some((slip, sinkage));
+        }
         self.backward |= heading == Heading::Backward;
         self.integration_error = self.integration_error.max(integration_error);
         row
@@ -412,10 +417,11 @@ impl Tracker {
         self.not_coupled.as_ref()
     }
 
-    /// Whether a good sample braked.
+    /// What is to be said of braking, if a good sample braked.
     #[must_use]
-    pub fn has_braked(&self) -> bool {
-        self.braked
+    pub fn cautions(&self) -> Vec<Caution> {
+        let of = |(slip, sinkage)| cautions(&Operation { sinkage, ..self.operation }, slip, None).collect();
+        self.braked.map(of).unwrap_or_default()
     }
 
     /// Whether the wheel moved backward at a good sample.
