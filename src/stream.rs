@@ -3,12 +3,12 @@
 //! A stream has a place on the pool and at most one piece of input and one of output in memory. The next input is taken only
 //! when the output before it was, so a slow reader slows the writer down.
 
-use axum::body::{Body, Bytes};
+use axum::body::{Body, Bytes, HttpBody};
 use axum::http::HeaderValue;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use http_body_util::{BodyExt, channel};
-use tokio::time::{Instant, timeout};
+use tokio::time::{Instant, timeout, timeout_at};
 
 use crate::app::Limits;
 use crate::compute::Place;
@@ -115,16 +115,21 @@ impl<W: Work> Stream<W> {
 
     /// Waits for input, if there is none left and more can come.
     async fn receive(&mut self) -> Result<(), Problem> {
-        let left = self.deadline.saturating_duration_since(Instant::now());
-        if left.is_zero() {
-            return Err(Problem::Late(self.limits.stream_deadline));
+        let late = Problem::Late(self.limits.stream_deadline);
+        if self.deadline <= Instant::now() {
+            return Err(late);
         }
         while self.input.is_empty() && !self.last {
-            let wait = self.limits.stream_idle.min(left);
-            match timeout(wait, self.body.frame()).await {
-                Err(_) => return Err(Problem::Idle(wait)),
+            let idle = Instant::now() + self.limits.stream_idle;
+            match timeout_at(idle.min(self.deadline), self.body.frame()).await {
+                Err(_) if self.deadline <= idle => return Err(late),
+                Err(_) => return Err(Problem::Idle(self.limits.stream_idle)),
                 Ok(Some(Err(_))) => return Err(Problem::BrokenBody),
-                Ok(Some(Ok(frame))) => self.input = frame.into_data().unwrap_or_default(),
+                Ok(Some(Ok(frame))) => {
+                    self.input = frame.into_data().unwrap_or_default();
+                    // Where the end is known with the last piece, a fault at the end of a short body is a problem still.
+                    self.last = self.body.is_end_stream();
+                }
                 Ok(None) => self.last = true,
             }
         }

@@ -6,6 +6,8 @@ mod run;
 mod writer;
 
 use csv::CsvReader;
+#[cfg(fuzzing)]
+pub(crate) use csv::all as all_of_csv;
 use ndjson::NdjsonReader;
 pub(crate) use run::Run;
 use writer::{Ending, RowFormat, Table};

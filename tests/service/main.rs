@@ -13,3 +13,4 @@ mod readme;
 mod server;
 mod slip_sweep;
 mod stress_profile;
+mod track;
