@@ -14,6 +14,12 @@ use crate::app::Limits;
 use crate::compute::Place;
 use crate::problem::Problem;
 
+/// Output after which a slice ends (bytes). Larger pieces are hardly faster, and memory grows with them.
+pub(crate) const PIECE: usize = 16 << 10;
+
+/// Room for the row that goes beyond the end of a piece (bytes).
+const OVERHANG: usize = 1 << 10;
+
 /// How far a slice of work came.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Progress {
@@ -89,7 +95,7 @@ impl<W: Work> Stream<W> {
             }
             let (mut input, last) = (std::mem::take(&mut self.input), self.last);
             let slice = move || {
-                let mut output = Vec::new();
+                let mut output = Vec::with_capacity(PIECE + OVERHANG);
                 let progress = work.slice(&mut input, last, &mut output);
                 (work, input, output, progress)
             };

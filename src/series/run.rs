@@ -11,11 +11,8 @@ use crate::extract::SeriesForm;
 use crate::problem::Problem;
 use crate::reply::{Findings, TrackReply};
 use crate::request::{Samples, TrackPlan, TrackQuery, TrackSettings};
-use crate::stream::{Progress, Work};
+use crate::stream::{PIECE, Progress, Work};
 use crate::wire::{FieldFault, Scope};
-
-/// Output after which a slice ends (bytes).
-const PIECE: usize = 64 << 10;
 
 /// Rows that an answer in columns may have; there is no limit to those of the other forms.
 const MOST_IN_COLUMNS: u64 = 100_000;
