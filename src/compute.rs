@@ -21,12 +21,20 @@ impl Cost {
     /// Above this a computation would hold up the other requests of its thread.
     const LONGEST_AT_ONCE: Self = Self(100_000.0);
 
+    /// Of what is there already.
+    pub(crate) const NONE: Self = Self(0.0);
+
     /// Of `points` operating points, and of writing their rows.
     pub(crate) fn of_points(operation: &Operation, points: usize) -> Self {
         // A stiff contact makes the quadrature refine to dozens of panels; most take a fortieth of this.
         let evaluation = if operation.model.method == Method::Quadrature { 80_000.0 } else { 200.0 };
         let evaluations = if matches!(operation.sinkage, Sinkage::CarryingLoad(_)) { 20.0 } else { 1.0 };
         Self(points as f64 * (evaluation * evaluations + 500.0))
+    }
+
+    /// Of one evaluation of closed forms.
+    pub(crate) fn of_closed_forms() -> Self {
+        Self(1_000.0)
     }
 
     /// Of `points` operating points by each of several methods.
@@ -38,6 +46,11 @@ impl Cost {
     pub(crate) fn points_in_a_slice(operation: &Operation) -> usize {
         const SLICE: f64 = 10e6; // 10 ms at the worst
         (SLICE / Self::of_points(operation, 1).0).max(1.0) as usize
+    }
+
+    /// Of `points` measurements, each predicted under its load by every method, of which the quadrature takes nearly all.
+    pub(crate) fn of_validation(points: usize) -> Self {
+        Self(points as f64 * 20.0 * 80_000.0)
     }
 
     /// Of reading a request body of `bytes`.
@@ -129,9 +142,8 @@ pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, P
     match format {
         Format::Json => json(reply),
         Format::Csv => {
-            let mut response = csv(&reply.columns()).into_response();
+            let mut response = csv_text(csv(&reply.columns()));
             let headers = response.headers_mut();
-            headers.insert(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"));
             // A table has no place for warnings, so their codes travel beside it.
             let codes: Vec<&str> = reply.warnings().iter().map(|warning| warning.code).collect();
             if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))
@@ -152,6 +164,11 @@ pub(crate) fn json<T: serde::Serialize>(value: &T) -> Result<Response, Problem> 
         Problem::Internal
     })?;
     Ok(json_text(text))
+}
+
+/// A text that is a table.
+pub(crate) fn csv_text(text: impl IntoResponse) -> Response {
+    ([(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"))], text).into_response()
 }
 
 /// A text that is JSON.

@@ -21,6 +21,7 @@ mod request;
 mod series;
 pub mod server;
 mod stream;
+mod validation;
 mod wire;
 
 /// What is fuzzed; there is none of it in the program.

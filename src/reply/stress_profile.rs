@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics::{Error, Heading, StressProfile, cautions};
+use terramechanics::{Error, Heading, Outcome, StressProfile, cautions};
 use utoipa::ToSchema;
 
 use super::{AnglesReply, Column, Reply, Warning};
@@ -62,7 +62,7 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
     fn try_from(query: &ProfileQuery) -> Result<Self, Error> {
         let ProfileQuery { operation, motion, peak_depth, points } = query;
         let rolling = operation.system.rolling(motion.slip)?;
-        let (sinkage, _) = operation.sinkage_of(&rolling)?;
+        let (sinkage, solved) = operation.sinkage_of(&rolling)?;
         let patch = rolling.contact(sinkage)?;
         let peak = patch.stresses(patch.angles.peak);
         let profile = StressProfile::of(&patch, *points, *peak_depth);
@@ -71,14 +71,20 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
         if columns.iter().any(|column| column.iter().any(|value| !value.is_finite())) {
             return Err(Error::NotFinite);
         }
-        let mut warnings: Vec<Warning> = cautions(operation, motion.slip, None).map(Warning::from).collect();
+        let outcome = Outcome {
+            slip: motion.slip,
+            sinkage,
+            normal: solved.map(|forces| forces.normal),
+            integration_error: solved.map_or(0.0, |forces| forces.integration_error),
+        };
+        let mut warnings: Vec<Warning> = cautions(operation, &outcome).map(Warning::from).collect();
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
         }
         if *points < StressProfile::FEWEST_POINTS {
             let detail =
                 format!("the exit, the peak and the entry are always among the places, so there are {} of them", theta.len());
-            warnings.push(Warning { code: "points_raised", detail });
+            warnings.push(Warning::new("points_raised", detail));
         }
         Ok(Self {
             slip: motion.slip.ratio(),

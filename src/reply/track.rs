@@ -1,7 +1,7 @@
 //! The answer of `/v1/track`.
 
 use serde::Serialize;
-use terramechanics::{Caution, Event, Status, Tally, TrackRow, Tracker};
+use terramechanics::{CautionTally, Event, Status, Tally, TrackRow, Tracker};
 use utoipa::ToSchema;
 
 use super::{Column, Warning};
@@ -142,22 +142,25 @@ impl Findings {
             warnings.extend(tracker.tally(status).map(|tally| without_result(status, tally)));
         }
         if plan.lacks_load() {
-            let detail = "a torque is measured but no load is known: give `normal_load_n`".to_owned();
-            warnings.push(Warning { code: "not_coupled", detail });
+            warnings.push(Warning::new("not_coupled", "a torque is measured but no load is known: give `normal_load_n`"));
         }
         warnings.extend(tracker.not_coupled().map(|tally| {
-            let detail = format!("{} have no pull by the coupled form; {}", counted(tally), reason(tally));
-            Warning { code: "not_coupled", detail }
+            let samples = counted(tally.count, tally.first_row);
+            Warning::new("not_coupled", format!("no pull by the coupled form for {samples}: {}", reason(tally)))
         }));
-        warnings.extend(tracker.cautions().into_iter().map(Warning::from));
-        warnings.extend(Caution::of_integration(tracker.integration_error()).map(Warning::from));
+        let good: u64 = Status::ALL
+            .iter()
+            .filter(|status| status.is_good())
+            .filter_map(|&status| tracker.tally(status))
+            .map(|tally| tally.count)
+            .sum();
+        warnings.extend(tracker.cautions().iter().map(|tally| caution(tally, good)));
         if tracker.has_moved_backward() {
             warnings.push(Warning::mirrored());
         }
         let (events, left_out) = tracker.events();
         if left_out > 0 {
-            let detail = format!("{left_out} more events are not listed");
-            warnings.push(Warning { code: "events_left_out", detail });
+            warnings.push(Warning::new("events_left_out", format!("{left_out} more events are not listed")));
         }
         Self { rows: tracker.rows(), events: events.iter().map(EventReply::from).collect(), warnings }
     }
@@ -170,13 +173,25 @@ fn without_result(status: Status, tally: &Tally) -> Warning {
         Status::TimeBackwards => "the time is before that of the sample before; no energy is added there".to_owned(),
         _ => reason(tally),
     };
-    Warning { code: status.code(), detail: format!("{} have no result; {why}", counted(tally)) }
+    Warning::new(status.code(), format!("no result for {}: {why}", counted(tally.count, tally.first_row)))
 }
 
-fn counted(tally: &Tally) -> String {
-    format!("{} samples, the first at index {},", tally.count, tally.first_row)
+fn caution(tally: &CautionTally, good: u64) -> Warning {
+    let warning = Warning::from(tally.worst);
+    if tally.count == good {
+        return warning;
+    }
+    let detail = format!("concerns {}; furthest out: {}", counted(tally.count, tally.first_row), warning.detail);
+    Warning { detail, ..warning }
+}
+
+fn counted(count: u64, first_row: u64) -> String {
+    match count {
+        1 => format!("1 sample, at index {first_row}"),
+        _ => format!("{count} samples, the first at index {first_row}"),
+    }
 }
 
 fn reason(tally: &Tally) -> String {
-    tally.error.map_or_else(String::new, |error| format!("of the first: {error}"))
+    tally.error.map_or_else(String::new, |error| error.to_string())
 }

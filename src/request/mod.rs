@@ -1,10 +1,13 @@
 //! Requests as they stand on the wire, and what they become: the only place where input is checked and converted.
 
 mod axis;
+mod catalogue;
 mod compare;
 mod contact;
+mod coupled;
 mod forces;
 mod operation;
+mod resistances;
 mod series;
 mod slip_sweep;
 mod soil;
@@ -12,11 +15,14 @@ mod stress_profile;
 mod track;
 mod wheel;
 
+pub(crate) use catalogue::{SoilsDto, WheelsDto};
 pub(crate) use compare::{CompareDto, CompareQuery};
 pub(crate) use contact::{ContactDto, RULES};
+pub(crate) use coupled::{CoupledDto, CoupledQuery};
 pub(crate) use forces::{ForcesDto, ForcesQuery};
 pub(crate) use operation::SlipSinkageDto;
 pub(crate) use operation::{error_fault, error_pointer};
+pub(crate) use resistances::{ResistancesDto, ResistancesQuery};
 use series::ColumnsDto;
 pub(crate) use series::Samples;
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};

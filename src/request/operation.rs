@@ -22,7 +22,7 @@ pub(super) const FORWARD_VELOCITY: Number =
 pub(super) const ANGULAR_VELOCITY: Number =
     Number::new("Angular velocity ω of the wheel (rad/s), positive when it rolls forward.", -1e4, 1e4);
 pub(super) const SLIP: Number =
-    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0);
+    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0).share();
 pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0);
 pub(super) const STATIC_SINKAGE: Number =
     Number::new("Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", 1e-9, 100.0);
@@ -75,7 +75,7 @@ wire_object! {
 impl SlipSinkageDto {
     fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));
         let [gain] = numbers_of(law, &[self.gain()], place);
         Some(match law?.name {
@@ -125,35 +125,22 @@ impl OperationEntries<'_> {
     ) -> Option<Checked> {
         let wheel = self.wheel.required(place).and_then(|dto| dto.check(&place.field(self.wheel.name)));
         let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name)));
-        let contact = self.contact(place, soil.and_then(|(_, measured)| measured));
+        let contact = checked_contact(&self.contact, place, soil.and_then(|(_, measured)| measured));
         let sinkage = sinkage(wheel.as_ref());
         let peak_depth = or_none(&self.peak_sinkage, place, |word| match word {
             "geometric" => Some(PeakDepth::Geometric),
             "half" => Some(PeakDepth::Half),
             _ => None,
         });
-        let normal_stress_radius = or_none(&self.normal_stress_radius, place, |word| match word {
-            "rim" => Some(NormalStressRadius::Rim),
-            "shearing" => Some(NormalStressRadius::Shearing),
-            _ => None,
-        });
+        let normal_stress_radius = normal_stress_radius_of(&self.normal_stress_radius, place);
         let peak_depth = peak_depth?;
         let method = match &self.method {
             Some(entries) => entries.check(place, peak_depth),
             None => Some(Method::Quadrature),
         };
-        let model =
-            ForceModel { method: method?, normal_stress_radius: normal_stress_radius?.unwrap_or(NormalStressRadius::Rim) };
+        let model = ForceModel { method: method?, normal_stress_radius: normal_stress_radius? };
         let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact: contact? };
         Some(Checked { operation: Operation { system, model, sinkage: sinkage? }, peak_depth })
-    }
-
-    fn contact(&self, place: &Scope<'_>, measured: Option<Contact>) -> Option<Contact> {
-        if self.contact.is_present() {
-            self.contact.given(place).and_then(|dto| dto.check(&place.field(self.contact.name)))
-        } else {
-            Some(measured.unwrap_or(Contact::MIDPOINT))
-        }
     }
 
     /// The slip–sinkage law, which has a meaning only beside a static sinkage.
@@ -186,20 +173,41 @@ impl OperationEntries<'_> {
             return None;
         }
         match values {
-            [Some(sinkage), None, None] => {
-                if let Some(wheel) = wheel
-                    && sinkage > wheel.radius()
-                {
-                    let radius = wheel.radius();
-                    place.field(self.sinkage.name).fault(Error::SinkageOutsideWheel { sinkage, radius });
-                    return None;
-                }
-                Some(Sinkage::Given(sinkage))
-            }
+            [Some(sinkage), None, None] => within_wheel(sinkage, wheel, &place.field(self.sinkage.name)).map(Sinkage::Given),
             [None, Some(static_sinkage), None] => Some(Sinkage::FromStatic { static_sinkage, law: law? }),
             [None, None, Some(load)] => Some(Sinkage::CarryingLoad(load)),
             _ => None,
         }
+    }
+}
+
+/// The contact sent, else the one measured with the soil, else the midpoint.
+pub(super) fn checked_contact(entry: &Entry<'_, ContactDto>, place: &Scope<'_>, measured: Option<Contact>) -> Option<Contact> {
+    if entry.is_present() {
+        entry.given(place).and_then(|dto| dto.check(&place.field(entry.name)))
+    } else {
+        Some(measured.unwrap_or(Contact::MIDPOINT))
+    }
+}
+
+/// The radius at which the normal stress acts; the rim where none was sent.
+pub(super) fn normal_stress_radius_of(entry: &Entry<'_, String>, place: &Scope<'_>) -> Option<NormalStressRadius> {
+    let radius = or_none(entry, place, |word| match word {
+        "rim" => Some(NormalStressRadius::Rim),
+        "shearing" => Some(NormalStressRadius::Shearing),
+        _ => None,
+    });
+    Some(radius?.unwrap_or(NormalStressRadius::Rim))
+}
+
+/// The sinkage, if it does not exceed the radius of the wheel, where that is known; else the fault is reported.
+pub(super) fn within_wheel(sinkage: f64, wheel: Option<&Wheel>, place: &Scope<'_>) -> Option<f64> {
+    match wheel.map(Wheel::radius) {
+        Some(radius) if sinkage > radius => {
+            place.fault(Error::SinkageOutsideWheel { sinkage, radius });
+            None
+        }
+        _ => Some(sinkage),
     }
 }
 
@@ -293,12 +301,14 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
         Error::PeakOutsideContact { .. } => "/contact",
-        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } | Error::LoadNotCoupled { .. } => "/normal_load_n",
+        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } => "/normal_load_n",
+        Error::LoadNotCoupled { .. } => "/slip",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
         Error::NotFinite => "",
         Error::Invalid(fault) => match fault.parameter {
             Parameter::Slip => "/slip",
             Parameter::NormalLoad => "/normal_load_n",
+            Parameter::Torque => "/torque_n_m",
             Parameter::LambdaA => "/lambda_a",
             Parameter::LambdaB => "/lambda_b",
             _ => "",
@@ -308,5 +318,12 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
 
 /// A refusal of the model as a fault of the request.
 pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
-    FieldFault { pointer: error_pointer(error, sinkage).to_owned(), detail: error.to_string() }
+    let pointer = error_pointer(error, sinkage).to_owned();
+    let detail = match (error, sinkage) {
+        (Error::SinkageOutsideWheel { .. }, Sinkage::FromStatic { .. }) => {
+            format!("by the slip–sinkage law at this slip, {error}")
+        }
+        _ => error.to_string(),
+    };
+    FieldFault { pointer, detail }
 }

@@ -118,9 +118,7 @@ impl ColumnsDto {
             let expected = *count.get_or_insert(values.len());
             if values.len() != expected {
                 let found = values.len();
-                place
-                    .field(entry.name)
-                    .fault(format_args!("must have as many values as the columns before, {expected}, not {found}"));
+                place.field(entry.name).fault(format_args!("has {found} values, the columns before it have {expected}"));
                 complete = false;
             }
         }

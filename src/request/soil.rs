@@ -13,13 +13,15 @@ use crate::catalogue::{self, SoilRecord};
 use crate::wire::{Choice, Entry, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 wire_object! {
-    /// A soil. Without `preset`, the other fields are required; with it, any field beside it overrides the catalogue's.
+    /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
     SoilDto as "Soil" {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
-        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above(),
+        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle(),
         shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
+        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); the shear law's own length unless given or in the catalogue.", 1e-6, 10.0),
+        unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.", 1.0, 1e6),
         shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
     }
 }
@@ -34,7 +36,7 @@ impl SoilDto {
             if entry.is_present() {
                 return entry.checked(place);
             }
-            let published = preset.and_then(|record| record.values.get(entry.name)).map(|value| value.value);
+            let published = preset.and_then(|record| record.number(entry.name));
             if published.is_none() && !unknown_preset {
                 missing(place, entry.name, preset.map(|record| record.id.as_str()));
             }
@@ -43,13 +45,18 @@ impl SoilDto {
         let cohesion = value(self.cohesion_pa());
         let friction_angle = value(self.friction_angle_rad());
         let shear = self.shear_law(place, preset, || value(self.shear_modulus_m()));
+        let optional = |entry: Entry<'_, f64>| {
+            if entry.is_present() { entry.checked(place) } else { preset.and_then(|record| record.number(entry.name)) }
+        };
+        let lateral_shear_modulus = optional(self.lateral_shear_modulus_m());
+        let unit_weight = optional(self.unit_weight_n_m3());
         let law = self.pressure_sinkage();
         let pressure_sinkage = if law.is_present() {
             law.given(place).and_then(|dto| dto.check(&place.field(law.name)))
         } else {
             let published = preset.and_then(SoilRecord::pressure_sinkage);
             if published.is_none() && !unknown_preset {
-                missing(place, law.name, preset.map(|record| record.id.as_str()));
+                missing_law(place, law.name, preset);
             }
             published
         };
@@ -58,11 +65,14 @@ impl SoilDto {
             friction_angle: friction_angle?,
             shear: shear?,
             pressure_sinkage: pressure_sinkage?,
+            unit_weight,
+            lateral_shear_modulus,
         };
         if unknown_preset {
             return None;
         }
         let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
+        let soil = preset.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
         Some((soil, preset.and_then(SoilRecord::contact)))
     }
 
@@ -83,6 +93,18 @@ impl SoilDto {
             }
             None => Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: modulus()? })),
         }
+    }
+}
+
+/// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
+fn missing_law(place: &Scope<'_>, name: &'static str, preset: Option<&SoilRecord>) {
+    match preset.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
+        Some((record, Some(law), parameters)) => place.field(name).fault(format_args!(
+            "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
+            record.id,
+            parameters.join(", ")
+        )),
+        _ => missing(place, name, preset.map(|record| record.id.as_str())),
     }
 }
 
@@ -114,7 +136,7 @@ impl ShearDto {
     /// The law, or none for the one that takes the soil's own modulus; nothing where something was reported.
     fn check(&self, place: &Scope<'_>) -> Option<Option<ShearLaw>> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SHEAR_LAWS, word));
         let [residual_ratio, peak_displacement] = numbers_of(law, &[self.residual_ratio(), self.peak_displacement_m()], place);
         Some(match law?.name {
@@ -163,7 +185,7 @@ wire_object! {
 impl PressureSinkageDto {
     fn check(&self, place: &Scope<'_>) -> Option<PressureSinkage> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(LAWS, word));
         let parameters =
             [self.k_c(), self.k_phi(), self.k_s(), self.unit_weight_n_m3(), self.k(), self.m(), self.n0(), self.n1(), self.n2()];

@@ -2,7 +2,8 @@
 //!
 //! The query becomes the same [`Field`]s that a JSON body becomes, by the same reader, so that it meets the same checks, is
 //! refused with the same pointers and gives the same bits. A value that is a JSON number is a number, any other is a string;
-//! so NaN and inf are refused wherever a number is expected. A `+` stands for itself, as in `1e+5`, not for a space.
+//! so NaN and inf are refused wherever a number is expected. A `+` in a number is its sign, as in `1e+5`; elsewhere it is the
+//! space that forms write so.
 
 use percent_encoding::percent_decode_str;
 use serde::de::value::{Error, MapDeserializer};
@@ -51,7 +52,10 @@ impl Query {
                 return Err(TooManyParameters);
             }
             let (name, value) = parameter.split_once('=').unwrap_or((parameter, ""));
-            let decoded = |text: &str| percent_decode_str(text).decode_utf8_lossy().into_owned();
+            let decoded = |text: &str| {
+                let text = if number(text).is_some() { text.to_owned() } else { text.replace('+', " ") };
+                percent_decode_str(&text).decode_utf8_lossy().into_owned()
+            };
             let name = decoded(name);
             insert(&mut query.fields, &mut name.splitn(DEEPEST, '.'), decoded(value));
         }
@@ -165,6 +169,14 @@ mod tests {
             assert!(text.contains(part), "{part} in {text}");
         }
         assert_eq!(text.matches("\"a\"").count(), 1, "{text}");
+    }
+
+    #[test]
+    fn a_plus_is_a_space_except_in_a_number() {
+        let text = format!("{:?}", Query::parse("kind=lunar+simulant&x=1e+5&y=a%2Bb").expect("few parameters"));
+        for part in ["\"lunar simulant\"", "\"1e+5\"", "\"a+b\""] {
+            assert!(text.contains(part), "{part} in {text}");
+        }
     }
 
     #[test]

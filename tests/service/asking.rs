@@ -50,6 +50,13 @@ impl Answer {
         errors.iter().map(|error| error["pointer"].as_str().expect("a pointer").to_owned()).collect()
     }
 
+    /// The codes of the warnings of a 200.
+    pub(crate) fn warned_of(&self) -> Vec<String> {
+        let reply = self.ok();
+        let warnings = reply["warnings"].as_array().expect("warnings");
+        warnings.iter().map(|warning| warning["code"].as_str().expect("a code").to_owned()).collect()
+    }
+
     /// What the 422 says of a pointer.
     pub(crate) fn fault(&self, pointer: &str) -> String {
         let problem = self.problem(422);

@@ -54,14 +54,11 @@ fn a_row_has_the_bits_of_the_forces_at_its_sample() {
                 assert_eq!(reply["columns"]["power_w"][i].as_f64(), Some(power));
             }
             assert_eq!(reply["columns"]["status"], json!(["static", "ok", "ok", "ok", "ok"]));
-            assert_eq!(reply["warnings"].as_array().map(Vec::len), Some(if way_is_static(&base) { 2 } else { 1 }), "{reply}");
+            let warnings = reply["warnings"].as_array().expect("warnings");
+            let told = |code: &str| warnings.iter().any(|warning| warning["code"] == code);
+            assert!(told("mirrored") && told("slip_sinkage_extrapolated") == base.get("static_sinkage_m").is_some(), "{reply}");
         }
     }
-}
-
-/// A slip–sinkage law extrapolates at the braking sample; the backward one is mirrored in any case.
-fn way_is_static(base: &Value) -> bool {
-    base.get("static_sinkage_m").is_some()
 }
 
 const TABLE: &str = "time_s,forward_velocity_m_s,angular_velocity_rad_s\n0,0.16,1\n1,,1\n2,0.1,-1\n3,0.1,1\n";
@@ -137,8 +134,8 @@ fn a_bad_sample_is_null_with_its_reason_and_counted() {
     }
     let warnings = reply["warnings"].as_array().expect("warnings");
     let codes: Vec<&str> = warnings.iter().map(|warning| warning["code"].as_str().expect("a code")).collect();
-    assert_eq!(codes, ["missing_value", "opposite_rotation", "time_backwards"]);
-    assert!(warnings[0]["detail"].as_str().is_some_and(|text| text.starts_with("2 samples, the first at index 1,")));
+    assert_eq!(codes[..3], ["missing_value", "opposite_rotation", "time_backwards"]);
+    assert_eq!(warnings[0]["detail"], "no result for 2 samples, the first at index 1: a value is missing");
 
     let slips = post("/v1/track", &columns(json!({"time_s": [0, 1, 2, 3], "slip": [0.5, 1.5, -2, 1]}))).ok();
     assert_eq!(slips["columns"]["status"], json!(["ok", "slip_out_of_range", "slip_out_of_range", "ok"]));
@@ -336,7 +333,7 @@ fn the_first_row_leaves_before_the_last_arrives() {
             assert!(next(&mut body).await.starts_with(&format!("{i}.0,0.1,")));
         }
         drop(sender);
-        assert_eq!(next(&mut body).await, "#end,4\n");
+        assert!(next(&mut body).await.ends_with("#end,4\n"));
         assert!(body.frame().await.is_none());
     });
 }

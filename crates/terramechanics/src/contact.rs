@@ -96,8 +96,8 @@ impl Contact {
     }
 }
 
-/// arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small.
+/// Angle (rad) whose cosine lies d = z/r below 1: arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small.
 #[inline]
-fn angle_at_depth(d: f64) -> f64 {
+pub(crate) fn angle_at_depth(d: f64) -> f64 {
     2.0 * (0.5 * d).sqrt().asin()
 }

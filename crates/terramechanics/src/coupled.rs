@@ -19,7 +19,7 @@
 //! above were derived anew from Eq. (11) for lugs and for both radii of the normal stress, and the tests hold them to the
 //! linearised method.
 
-use crate::caution::Caution;
+use crate::caution::{Caution, NEGATIVE_NORMAL_STRESS};
 use crate::error::{Error, Fault, Parameter, Requirement};
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
 use crate::slip::Heading;
@@ -70,6 +70,8 @@ impl Coupled {
     ///         friction_angle: 0.478,
     ///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 }),
     ///         pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e6, exponent }), // any: it cancels
+    ///         unit_weight: None,
+    ///         lateral_shear_modulus: None,
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };
@@ -138,6 +140,6 @@ impl CoupledForces {
     /// stresses.
     #[must_use]
     pub fn caution(&self) -> Option<Caution> {
-        (self.peak_normal_stress < 0.0).then_some(Caution::NegativeNormalStress { stress: self.peak_normal_stress })
+        NEGATIVE_NORMAL_STRESS.of(self.peak_normal_stress)
     }
 }

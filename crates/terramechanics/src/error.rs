@@ -15,6 +15,8 @@ pub enum Parameter {
     ShearModulus,
     ResidualRatio,
     PeakDisplacement,
+    LateralShearModulus,
+    SoilUnitWeight,
     CohesiveModulus,
     FrictionalModulus,
     SinkageModulus,
@@ -211,7 +213,7 @@ pub enum Error {
 }
 
 /// A number in six digits: what a person reads; the value itself is in the error.
-struct Digits(f64);
+pub(crate) struct Digits(pub(crate) f64);
 
 impl fmt::Display for Digits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

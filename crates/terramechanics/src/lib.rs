@@ -11,8 +11,8 @@
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
 //!
-//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured; a [`Tracker`] follows a wheel over time,
-//! one [`Sample`] after another.
+//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical
+//! estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 
 mod caution;
 mod contact;
@@ -25,6 +25,7 @@ mod numerics;
 mod operation;
 mod pressure_sinkage;
 mod profile;
+mod resistances;
 mod shear;
 mod slip;
 mod slip_sinkage;
@@ -34,7 +35,7 @@ mod sweep;
 mod track;
 mod wheel;
 
-pub use caution::{Caution, cautions};
+pub use caution::{Caution, CautionKind, Outcome, TestedRange, cautions, system_cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
 pub use coupled::{Coupled, CoupledForces};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
@@ -44,11 +45,12 @@ pub use load::CarriedLoad;
 pub use operation::{OperatingPoint, Operation, Sinkage};
 pub use pressure_sinkage::{Bekker, Diameter, Direct, PressureSinkage, Reece, SinkageExponent};
 pub use profile::StressProfile;
+pub use resistances::{Lacking, Resistances};
 pub use shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
 pub use slip::{Heading, Motion, Slip, Velocities};
 pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};
 pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
 pub use sweep::{Gap, SlipSweep};
-pub use track::{Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
+pub use track::{CautionTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};

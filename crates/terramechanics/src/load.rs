@@ -25,6 +25,10 @@ const STRIDE: f64 = 1.02;
 /// Depths at which the normal force is sampled where it does not reach the load at z = r.
 const CAPACITY_SAMPLES: u32 = 64;
 
+/// Steps by which the largest normal force is closed in on; the normal force is flat there, so its place to 1e-8 of a stride
+/// gives its value to rounding.
+const SUMMIT_STEPS: u32 = 40;
+
 /// A solved load balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CarriedLoad {
@@ -146,19 +150,60 @@ impl Balance<'_> {
     /// braking wheel): the bracket of that, or the largest load.
     fn carried_before_the_axle(&mut self) -> Result<(Sample, Sample), Error> {
         let radius = self.rolling.system.wheel.radius();
+        let stride = radius / f64::from(CAPACITY_SAMPLES);
         let mut before = Sample { x: 0.0, y: -self.level };
-        let (mut largest, mut deepest) = (f64::NEG_INFINITY, radius);
+        let mut largest = Sample { x: radius, y: f64::NEG_INFINITY };
         for i in 1..=CAPACITY_SAMPLES {
-            let here = self.sample(radius * f64::from(i) / f64::from(CAPACITY_SAMPLES))?;
+            let here = self.sample((stride * f64::from(i)).min(radius))?;
             if here.y >= 0.0 {
                 return Ok((before, here));
             }
-            if here.y > largest {
-                (largest, deepest) = (here.y, here.x);
+            if here.y > largest.y {
+                largest = here;
             }
             before = here;
         }
+        largest = self.summit(largest, stride, radius)?;
+        if largest.y >= 0.0 {
+            // On the way up to the summit F_z rises through the load.
+            let below = (largest.x - stride).max(0.0);
+            let below = if below > 0.0 { self.sample(below)? } else { Sample { x: 0.0, y: -self.level } };
+            if below.y < 0.0 {
+                return Ok((below, largest));
+            }
+        }
+        let deepest = largest.x;
         let largest = self.forces(deepest)?.normal;
         Err(Error::LoadBeyondCapacity { load: self.load, largest, sinkage: deepest })
+    }
+
+    /// The largest normal force within a stride of the largest sample, by golden section; the search ends where the load is
+    /// reached.
+    fn summit(&mut self, highest: Sample, stride: f64, radius: f64) -> Result<Sample, Error> {
+        const GOLDEN: f64 = 0.618_033_988_749_894_8;
+        if highest.x >= radius && self.sample(radius * (1.0 - 1e-6))?.y < highest.y {
+            return Ok(highest); // it still grows at the axle
+        }
+        let (mut left, mut right) = ((highest.x - stride).max(0.0), (highest.x + stride).min(radius));
+        let mut inner_left = self.sample(right - GOLDEN * (right - left))?;
+        let mut inner_right = self.sample(left + GOLDEN * (right - left))?;
+        let mut highest = highest;
+        for _ in 0..SUMMIT_STEPS {
+            let higher = if inner_left.y > inner_right.y { inner_left } else { inner_right };
+            if higher.y > highest.y {
+                highest = higher;
+            }
+            if highest.y >= 0.0 {
+                break;
+            }
+            if inner_left.y > inner_right.y {
+                (right, inner_right) = (inner_right.x, inner_left);
+                inner_left = self.sample(right - GOLDEN * (right - left))?;
+            } else {
+                (left, inner_left) = (inner_left.x, inner_right);
+                inner_right = self.sample(left + GOLDEN * (right - left))?;
+            }
+        }
+        Ok(highest)
     }
 }

@@ -10,8 +10,8 @@
 //!   is 0 because ω is.
 //! * A wheel that the soil does not carry at any sinkage up to its axle has no forces, but it counts as entrapped.
 
-use crate::caution::{Caution, cautions};
-use crate::coupled::Coupled;
+use crate::caution::{Caution, Outcome, cautions};
+use crate::coupled::{Coupled, CoupledForces};
 use crate::error::{Error, InvalidInput};
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::operation::{Operation, Sinkage};
@@ -144,6 +144,17 @@ pub struct Tally {
     pub error: Option<Error>,
 }
 
+/// Samples with a caution of one kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CautionTally {
+    /// The caution of the sample that is furthest out.
+    pub worst: Caution,
+    /// How many there were.
+    pub count: u64,
+    /// The first of them, counted from 0.
+    pub first_row: u64,
+}
+
 /// Follows a wheel over time.
 #[derive(Debug, Clone)]
 pub struct Tracker {
@@ -161,10 +172,8 @@ pub struct Tracker {
     energy: CompensatedSum,
     tallies: [Option<Tally>; Status::ALL.len()],
     not_coupled: Option<Tally>,
-    /// The first good sample that braked: its cautions hold for all that do.
-    braked: Option<(Slip, Sinkage)>,
+    cautions: Vec<CautionTally>,
     backward: bool,
-    integration_error: f64,
 }
 
 /// Events that are kept; a run with more is told how many there were.
@@ -173,10 +182,9 @@ const MOST_EVENTS: usize = 1000;
 /// What one sample gives where it is good.
 struct Reached {
     row: TrackRow,
-    slip: Slip,
+    outcome: Outcome,
     heading: Heading,
-    integration_error: f64,
-    coupled: Option<Result<f64, Error>>,
+    coupled: Option<Result<CoupledForces, Error>>,
 }
 
 impl Tracker {
@@ -232,9 +240,8 @@ impl Tracker {
             energy: CompensatedSum::default(),
             tallies: [None; Status::ALL.len()],
             not_coupled: None,
-            braked: None,
+            cautions: Vec::new(),
             backward: false,
-            integration_error: 0.0,
         })
     }
 
@@ -303,7 +310,7 @@ impl Tracker {
             status: if at_rest { Status::Static } else { Status::Ok },
         };
         let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
-        Ok(Reached { row, slip: motion.slip, heading: motion.heading, integration_error: forces.integration_error, coupled })
+        Ok(Reached { row, outcome: Outcome::from(&point), heading: motion.heading, coupled })
     }
 
     /// Slip and heading, and the angular velocity (rad/s) where it is known.
@@ -328,8 +335,8 @@ impl Tracker {
         }
     }
 
-    /// The pull that follows from the measured torque and load.
-    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<f64, Error> {
+    /// What follows from the measured torque and load, of the wheel moving forward.
+    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<CoupledForces, Error> {
         let rolling = self.operation.system.rolling(motion.slip)?;
         let ahead = if motion.heading == Heading::Backward { -measured.torque } else { measured.torque };
         let known = Coupled {
@@ -337,12 +344,12 @@ impl Tracker {
             torque: Some(ahead),
             normal_stress_radius: self.operation.model.normal_stress_radius,
         };
-        Ok(known.forces(&rolling.contact(sinkage)?)?.heading(motion.heading).longitudinal)
+        known.forces(&rolling.contact(sinkage)?)
     }
 
     /// Adds the energy up to a good sample, and what the run remembers of it.
     fn accept(&mut self, index: u64, sinkage: Sinkage, reached: Reached) -> TrackRow {
-        let Reached { mut row, slip, heading, integration_error, coupled } = reached;
+        let Reached { mut row, outcome, heading, coupled } = reached;
         if row.power.is_finite() {
             if let Some((time, power)) = self.latest_power {
                 self.energy.add(0.5 * (power + row.power) * (row.time - time));
@@ -351,16 +358,31 @@ impl Tracker {
             row.energy = self.energy.value();
         }
         match coupled {
-            Some(Ok(force)) => row.longitudinal_coupled = force,
+            Some(Ok(forces)) => {
+                row.longitudinal_coupled = forces.heading(heading).longitudinal;
+                self.note(index, forces.caution().into_iter());
+            }
             Some(Err(error)) => count(&mut self.not_coupled, index, Some(error)),
             None => {}
         }
-        if self.braked.is_none() && !slip.is_driving() {
-            self.braked = Some((slip, sinkage));
-        }
         self.backward |= heading == Heading::Backward;
-        self.integration_error = self.integration_error.max(integration_error);
+        self.note(index, cautions(&Operation { sinkage, ..self.operation }, &outcome));
         row
+    }
+
+    /// Keeps of each kind of caution the one that is furthest out.
+    fn note(&mut self, row: u64, cautions: impl Iterator<Item = Caution>) {
+        for caution in cautions {
+            match self.cautions.iter_mut().find(|known| std::ptr::eq(known.worst.kind, caution.kind)) {
+                Some(known) => {
+                    known.count += 1;
+                    if caution.excess() > known.worst.excess() {
+                        known.worst = caution;
+                    }
+                }
+                None => self.cautions.push(CautionTally { worst: caution, count: 1, first_row: row }),
+            }
+        }
     }
 
     /// Looks for events. A sample of which nothing is known neither starts nor ends one.
@@ -417,23 +439,16 @@ impl Tracker {
         self.not_coupled.as_ref()
     }
 
-    /// What is to be said of braking, if a good sample braked.
+    /// What is to be said of the good samples: one of each kind.
     #[must_use]
-    pub fn cautions(&self) -> Vec<Caution> {
-        let of = |(slip, sinkage)| cautions(&Operation { sinkage, ..self.operation }, slip, None).collect();
-        self.braked.map(of).unwrap_or_default()
+    pub fn cautions(&self) -> &[CautionTally] {
+        &self.cautions
     }
 
     /// Whether the wheel moved backward at a good sample.
     #[must_use]
     pub fn has_moved_backward(&self) -> bool {
         self.backward
-    }
-
-    /// Largest estimate of the relative error of the integrals (–).
-    #[must_use]
-    pub fn integration_error(&self) -> f64 {
-        self.integration_error
     }
 }
 

@@ -137,7 +137,18 @@ fn a_wheel_that_rolls_back_takes_the_same_power() {
     let mut tracker = tracker(Method::Quadrature);
     let back = tracker.push(&moving(0.0, -0.15, -1.0));
     assert_eq!((back.power, back.longitudinal, back.torque), (ahead.power, -ahead.longitudinal, -ahead.torque));
-    assert!(tracker.has_moved_backward() && tracker.cautions().is_empty());
+    assert!(tracker.has_moved_backward());
+}
+
+#[test]
+fn cautions_are_counted_by_kind_with_the_one_furthest_out() {
+    let mut tracker = tracker(Method::EXPLICIT);
+    for (i, slip) in [0.1, -0.1, -0.3, -0.2].into_iter().enumerate() {
+        tracker.push(&slipping(i as f64, slip));
+    }
+    let braking = tracker.cautions().iter().find(|tally| tally.worst.kind.code == "slip_sinkage_extrapolated");
+    let braking = braking.expect("the law was fitted to driving wheels");
+    assert_eq!((braking.count, braking.first_row, braking.worst.value), (3, 1, -0.3));
 }
 
 #[test]
