@@ -113,3 +113,50 @@ fn oddity(sample: &SampleDto) -> String {
         .first()
         .map_or_else(String::new, |fault| format!("{} {}", fault.pointer.trim_start_matches('/'), fault.detail))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all(pieces: &[&[u8]]) -> (Vec<[u64; Column::COUNT]>, Option<SeriesFault>) {
+        let mut reader = NdjsonReader::default();
+        let mut rows = Vec::new();
+        for (i, piece) in pieces.iter().enumerate() {
+            let mut left = *piece;
+            loop {
+                match reader.next(&mut left, i + 1 == pieces.len()) {
+                    Ok(Read::Row(cells)) => rows.push(cells.map(f64::to_bits)),
+                    Ok(Read::More) => break,
+                    Ok(Read::End) => return (rows, None),
+                    Err(fault) => return (rows, Some(fault)),
+                }
+            }
+            assert!(left.is_empty(), "what is there is used");
+        }
+        panic!("the last piece ends the series");
+    }
+
+    #[test]
+    fn the_pieces_in_which_lines_come_make_no_difference() {
+        for text in [
+            "\u{feff}{\"time_s\":0,\"slip\":0.1}\r\n\r\n{\"slip\":null,\"time_s\":1e0}\n{\"time_s\":2}",
+            "{\"time_s\":0}\n{\"time_s\":1}\n",
+            "{\"time_s\":0}\n{\"time_s\":1,}\n{\"time_s\":2}",
+            "\n \n",
+        ] {
+            let text = text.as_bytes();
+            let whole = all(&[text]);
+            for at in 0..=text.len() {
+                assert_eq!(all(&[&text[..at], &text[at..]]), whole, "split at {at}");
+                assert_eq!(all(&[&text[..at], b"", &text[at..], b""]), whole, "with nothing between at {at}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_line_without_end_is_refused_in_bounded_memory() {
+        let mut reader = NdjsonReader::default();
+        let fault = (0..100).find_map(|_| reader.next(&mut &[b' '; 1000][..], false).err());
+        assert_eq!(fault.map(|fault| fault.line), Some(1));
+    }
+}

@@ -17,5 +17,6 @@ mod server;
 mod slip_sweep;
 mod stress_profile;
 mod track;
+mod track_stream;
 mod validation;
 mod warnings;

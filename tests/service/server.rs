@@ -223,3 +223,24 @@ fn open_requests_end_before_the_server_stops() {
         assert!(TcpStream::connect(server.address).is_err());
     }
 }
+
+#[test]
+fn a_track_is_answered_over_the_wire_while_it_is_sent() {
+    let server = Server::start(&["--compute-threads", "1"]);
+    let mut stream = server.connect();
+    let settings = "wheel.preset=letter&soil.preset=letter-sand&static_sinkage_m=0.02&method=explicit";
+    let head = format!(
+        "POST /v1/track?{settings} HTTP/1.1\r\nHost: test\r\nConnection: close\r\nContent-Type: text/csv\r\nTransfer-Encoding: chunked\r\n\r\n"
+    );
+    let chunk = |text: &str| format!("{:x}\r\n{text}\r\n", text.len());
+    stream.write_all((head + &chunk("time_s,slip\n0,0.1\n")).as_bytes()).expect("sent");
+    let mut answer = String::new();
+    let mut reader = BufReader::new(stream.try_clone().expect("the other half"));
+    while !answer.contains("\n0.0,0.1,") {
+        assert!(reader.read_line(&mut answer).expect("a line") > 0, "{answer}");
+    }
+    assert!(answer.starts_with("HTTP/1.1 200 "), "{answer}");
+    stream.write_all((chunk("1,0.1\n") + "0\r\n\r\n").as_bytes()).expect("sent");
+    reader.read_to_string(&mut answer).expect("the rest");
+    assert!(answer.contains("\n1.0,0.1,") && answer.contains("#end,2\n") && answer.ends_with("0\r\n\r\n"), "{answer}");
+}

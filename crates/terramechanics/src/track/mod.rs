@@ -10,150 +10,19 @@
 //!   is 0 because ω is.
 //! * A wheel that the soil does not carry at any sinkage up to its axle has no forces, but it counts as entrapped.
 
-use crate::caution::{Caution, Outcome, cautions};
+mod sample;
+mod tally;
+
+pub use sample::{Measured, Sample, SampleMotion, Status, TrackRow};
+pub use tally::{CautionTally, Tally};
+
+use crate::caution::{Outcome, cautions};
 use crate::coupled::{Coupled, CoupledForces};
 use crate::error::{Error, InvalidInput};
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::operation::{Operation, Sinkage};
 use crate::slip::{Heading, Motion, Slip, Velocities};
-
-/// How the motion of a sample is known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum SampleMotion {
-    /// By the slip ratio (–); there is no power then.
-    Slip(f64),
-    /// By both velocities.
-    Velocities(Velocities),
-}
-
-/// What was measured at one time; a NaN is a value that is missing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample {
-    /// Time (s).
-    pub time: f64,
-    /// The motion.
-    pub motion: SampleMotion,
-    /// The sinkage: as measured, or how it is found.
-    pub sinkage: Sinkage,
-    /// Torque (N·m) and normal load (N), where both are measured: then Ding's coupled form gives the pull as well.
-    pub measured: Option<Measured>,
-}
-
-/// Torque and load of a sample.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measured {
-    /// Torque T (N·m), positive when it turns the wheel forward.
-    pub torque: f64,
-    /// Normal load W (N).
-    pub normal_load: f64,
-}
-
-/// Whether a sample has a result, and if not, why.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// It has.
-    Ok,
-    /// It has, and the wheel is at rest.
-    Static,
-    /// A value is missing or no number.
-    MissingValue,
-    /// A value is infinite, or a load or sinkage is not positive.
-    OutOfRange,
-    /// The slip is not from −1 to 1.
-    SlipOutOfRange,
-    /// The wheel moves against its own rotation.
-    OppositeRotation,
-    /// The time is before that of the sample before.
-    TimeBackwards,
-    /// The model has no answer there.
-    NoSolution,
-}
-
-impl Status {
-    /// All that can be.
-    pub const ALL: [Self; 8] = [
-        Self::Ok,
-        Self::Static,
-        Self::MissingValue,
-        Self::OutOfRange,
-        Self::SlipOutOfRange,
-        Self::OppositeRotation,
-        Self::TimeBackwards,
-        Self::NoSolution,
-    ];
-
-    /// A name for programs.
-    #[must_use]
-    pub fn code(self) -> &'static str {
-        match self {
-            Self::Ok => "ok",
-            Self::Static => "static",
-            Self::MissingValue => "missing_value",
-            Self::OutOfRange => "out_of_range",
-            Self::SlipOutOfRange => "slip_out_of_range",
-            Self::OppositeRotation => "opposite_rotation",
-            Self::TimeBackwards => "time_backwards",
-            Self::NoSolution => "no_solution",
-        }
-    }
-
-    /// Whether the sample has a result.
-    #[must_use]
-    pub fn is_good(self) -> bool {
-        matches!(self, Self::Ok | Self::Static)
-    }
-}
-
-/// What follows from a sample; NaN where there is no value.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TrackRow {
-    /// Time (s).
-    pub time: f64,
-    /// Slip s (–); known as well where only the forces have no solution.
-    pub slip: f64,
-    /// Sinkage z (m).
-    pub sinkage: f64,
-    /// Longitudinal force F_x (N).
-    pub longitudinal: f64,
-    /// Normal force F_z (N).
-    pub normal: f64,
-    /// Torque T (N·m).
-    pub torque: f64,
-    /// Drawbar coefficient F_x/F_z (–).
-    pub drawbar_coefficient: f64,
-    /// Tractive efficiency (–).
-    pub tractive_efficiency: f64,
-    /// Mechanical power T ω (W).
-    pub power: f64,
-    /// Energy since the first sample (J).
-    pub energy: f64,
-    /// Longitudinal force (N) by Ding's coupled form from the measured torque and load.
-    pub longitudinal_coupled: f64,
-    /// Whether there is a result.
-    pub status: Status,
-}
-
-/// Samples of one status.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tally {
-    /// How many there were.
-    pub count: u64,
-    /// The first of them, counted from 0.
-    pub first_row: u64,
-    /// Why the model refused the first, where it did.
-    pub error: Option<Error>,
-}
-
-/// Samples with a caution of one kind.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CautionTally {
-    /// The caution of the sample that is furthest out.
-    pub worst: Caution,
-    /// How many there were.
-    pub count: u64,
-    /// The first of them, counted from 0.
-    pub first_row: u64,
-}
+use tally::CompensatedSum;
 
 /// Follows a wheel over time.
 #[derive(Debug, Clone)]
@@ -255,7 +124,7 @@ impl Tracker {
             Ok(reached) => (self.accept(index, sample.sinkage, reached), None),
             Err((status, error)) => (TrackRow::bad(sample.time, slip, status), error),
         };
-        count(&mut self.tallies[row.status as usize], index, error);
+        Tally::count(&mut self.tallies[row.status as usize], index, error);
         self.watch(index, &row, error);
         row
     }
@@ -360,29 +229,15 @@ impl Tracker {
         match coupled {
             Some(Ok(forces)) => {
                 row.longitudinal_coupled = forces.heading(heading).longitudinal;
-                self.note(index, forces.caution().into_iter());
+                CautionTally::count(&mut self.cautions, index, forces.caution().into_iter());
             }
-            Some(Err(error)) => count(&mut self.not_coupled, index, Some(error)),
+            Some(Err(error)) => Tally::count(&mut self.not_coupled, index, Some(error)),
             None => {}
         }
         self.backward |= heading == Heading::Backward;
-        self.note(index, cautions(&Operation { sinkage, ..self.operation }, &outcome));
+        let operation = Operation { sinkage, ..self.operation };
+        CautionTally::count(&mut self.cautions, index, cautions(&operation, &outcome));
         row
-    }
-
-    /// Keeps of each kind of caution the one that is furthest out.
-    fn note(&mut self, row: u64, cautions: impl Iterator<Item = Caution>) {
-        for caution in cautions {
-            match self.cautions.iter_mut().find(|known| std::ptr::eq(known.worst.kind, caution.kind)) {
-                Some(known) => {
-                    known.count += 1;
-                    if caution.excess() > known.worst.excess() {
-                        known.worst = caution;
-                    }
-                }
-                None => self.cautions.push(CautionTally { worst: caution, count: 1, first_row: row }),
-            }
-        }
     }
 
     /// Looks for events. A sample of which nothing is known neither starts nor ends one.
@@ -468,50 +323,4 @@ fn present(value: f64) -> Result<(), Refused> {
 fn positive(value: f64) -> Result<(), Refused> {
     present(value)?;
     if value > 0.0 { Ok(()) } else { Err((Status::OutOfRange, None)) }
-}
-
-fn count(tally: &mut Option<Tally>, row: u64, error: Option<Error>) {
-    match tally {
-        Some(tally) => tally.count += 1,
-        None => *tally = Some(Tally { count: 1, first_row: row, error }),
-    }
-}
-
-impl TrackRow {
-    fn bad(time: f64, slip: f64, status: Status) -> Self {
-        let none = f64::NAN;
-        Self {
-            time,
-            slip,
-            sinkage: none,
-            longitudinal: none,
-            normal: none,
-            torque: none,
-            drawbar_coefficient: none,
-            tractive_efficiency: none,
-            power: none,
-            energy: none,
-            longitudinal_coupled: none,
-            status,
-        }
-    }
-}
-
-/// A sum that keeps the digits of small terms after millions of them (Neumaier 1974).
-#[derive(Debug, Clone, Copy, Default)]
-struct CompensatedSum {
-    sum: f64,
-    lost: f64,
-}
-
-impl CompensatedSum {
-    fn add(&mut self, term: f64) {
-        let sum = self.sum + term;
-        self.lost += if self.sum.abs() >= term.abs() { (self.sum - sum) + term } else { (term - sum) + self.sum };
-        self.sum = sum;
-    }
-
-    fn value(self) -> f64 {
-        self.sum + self.lost
-    }
 }
