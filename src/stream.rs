@@ -67,7 +67,7 @@ pub(crate) async fn answer<W: Work>(work: W, body: Body, place: Place, limits: &
 
 struct Stream<W> {
     /// None when the answer is complete.
-    work: Option<W>,
+    work: Option<Box<W>>,
     body: Body,
     input: Bytes,
     last: bool,
@@ -81,7 +81,16 @@ struct Stream<W> {
 impl<W: Work> Stream<W> {
     fn new(work: W, body: Body, place: Place, limits: &Limits) -> Self {
         let deadline = Instant::now() + limits.stream_deadline;
-        Self { work: Some(work), body, input: Bytes::new(), last: false, place, limits: *limits, deadline, failed: None }
+        Self {
+            work: Some(Box::new(work)),
+            body,
+            input: Bytes::new(),
+            last: false,
+            place,
+            limits: *limits,
+            deadline,
+            failed: None,
+        }
     }
 
     /// The next piece of output; none at the end. After a problem the work is still there, to tell of it; one behind a piece of
@@ -93,14 +102,18 @@ impl<W: Work> Stream<W> {
                 self.work = Some(work);
                 return Err(problem);
             }
-            let (mut input, last) = (std::mem::take(&mut self.input), self.last);
+            // What is large is allocated and freed on this side: an allocator keeps blocks that another thread frees, and memory
+            // would grow by tens of megabytes over a long stream.
+            let whole = std::mem::take(&mut self.input);
+            let (mut input, last) = (whole.clone(), self.last);
+            output = Vec::with_capacity(PIECE + OVERHANG);
             let slice = move || {
-                let mut output = Vec::with_capacity(PIECE + OVERHANG);
                 let progress = work.slice(&mut input, last, &mut output);
                 (work, input, output, progress)
             };
             let (work, progress);
             (work, self.input, output, progress) = self.place.run(slice).await?;
+            drop(whole);
             match progress {
                 Ok(Progress::Complete) => {}
                 Ok(_) => self.work = Some(work),

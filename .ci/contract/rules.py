@@ -171,6 +171,8 @@ def columns_are_complete(ctx, response, case):
     """Columns have one length, and hold finite numbers or nothing."""
     if response.status_code != 200 or not (case.method == "POST" or case.query):
         return
+    if case.operation.path in ("/v1/wheels", "/v1/soils"):
+        return  # tables of words
     if response.headers["content-type"][0].startswith("text/csv"):
         lines = (line for line in io.StringIO(response.text, newline="") if not line.startswith("#"))
         names, *rows = csv.reader(lines)
