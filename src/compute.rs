@@ -53,6 +53,11 @@ impl Cost {
         Self(points as f64 * 20.0 * 80_000.0)
     }
 
+    /// Of a towed wheel, whose skid takes up to a hundred load balances (most take fifteen).
+    pub(crate) fn of_towed(operation: &Operation) -> Self {
+        Self::of_points(operation, 100)
+    }
+
     /// Of reading a request body of `bytes`.
     pub(crate) fn of_body(bytes: usize) -> Self {
         Self(bytes as f64 * 8.0)

@@ -10,9 +10,11 @@ use utoipa::openapi::{OpenApi, RefOr};
 use crate::catalogue;
 use crate::extract::SeriesForm;
 use crate::reply::{
-    CompareReply, CoupledReply, ForcesReply, ProfileReply, Reply, ResistancesReply, SweepReply, ValidationSet, csv,
+    CompareReply, CoupledReply, ForcesReply, ProfileReply, Reply, ResistancesReply, SweepReply, TowedReply, ValidationSet, csv,
 };
-use crate::request::{CompareDto, CoupledDto, ForcesDto, ProfileDto, Request, ResistancesDto, SweepDto, TrackDto, checked};
+use crate::request::{
+    CompareDto, CoupledDto, ForcesDto, ProfileDto, Request, ResistancesDto, SweepDto, TowedDto, TrackDto, checked,
+};
 use crate::series::Run;
 use crate::stream::{Progress, Work};
 use crate::validation;
@@ -70,7 +72,7 @@ fn set_parameters(operation: &mut utoipa::openapi::path::Operation, body: &Value
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 7] {
+fn bodies() -> [(&'static str, Value, Answer); 8] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -107,10 +109,12 @@ fn bodies() -> [(&'static str, Value, Answer); 7] {
         "normal_load_n": 259, "slip": 0.05
     });
     let resistances_reply = answer::<ResistancesDto, _>(&resistances, |query| ResistancesReply::try_from(query).ok());
+    let towed = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80});
     let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
     let sweep_reply = answer::<SweepDto, _>(&sweep, |query| Some(SweepReply::from(query)));
+    let towed_reply = answer::<TowedDto, _>(&towed, |query| TowedReply::try_from(query).ok());
     [
         ("/v1/forces", forces, forces_reply),
         ("/v1/stress-profile", profile, profile_reply),
@@ -118,6 +122,7 @@ fn bodies() -> [(&'static str, Value, Answer); 7] {
         ("/v1/compare", compare, compare_reply),
         ("/v1/coupled", coupled, coupled_reply),
         ("/v1/resistances", resistances, resistances_reply),
+        ("/v1/towed", towed, towed_reply),
         ("/v1/track", track, track_reply),
     ]
 }

@@ -40,7 +40,8 @@ def before_load_schema(context, raw_schema):
         if name == "TrackRequest":
             groups = [TRACKED_SINKAGE]
         if groups:
-            schemas[name] = one_of(chosen(schema, groups, choice) for choice in product(*groups))
+            variants = (chosen(schema, groups, choice) for choice in product(*groups))
+            schemas[name] = one_of(zoned for variant in variants for zoned in by_zones(variant))
     wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
     schemas["Wheel"] = one_of(
         [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
@@ -78,9 +79,25 @@ def one_way(parameters):
     """
     given = ["wheel.preset", "soil.preset", "sinkage_m", "slip", "slip.from", "slip.to", "slip.points"]
     others = [name for group in (SINKAGE, SLIP) for way in group for name in way if name not in given]
+    others.append("braking")
     tagged = ("contact.", "slip_sinkage.", "soil.pressure_sinkage.", "soil.shear.")
     kept = [of for of in parameters if of["name"] not in others and not of["name"].startswith(tagged)]
     return [{**of, "required": of["name"] in given} for of in kept]
+
+
+def by_zones(schema):
+    """The schema with one zone and any method, and with two zones and the quadrature."""
+    if not has(schema, ["braking"]):
+        return [schema]
+    one, two = requiring(schema, []), requiring(schema, ["braking"])
+    one["properties"]["braking"]["enum"] = ["one_zone"]
+    two["properties"]["braking"]["enum"] = ["two_zone"]
+    if has(two, ["method"]):
+        two["properties"]["method"]["enum"] = ["quadrature"]
+    if has(two, ["methods"]):
+        two["properties"]["methods"]["items"]["enum"] = ["quadrature"]
+        two["required"].append("methods")
+    return [one, two]
 
 
 def has(schema, fields):

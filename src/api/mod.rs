@@ -10,6 +10,7 @@ mod resistances;
 mod responses;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
 mod track;
 mod validation;
 
@@ -27,6 +28,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(compare::compare))
         .routes(routes!(coupled::coupled))
         .routes(routes!(resistances::resistances))
+        .routes(routes!(towed::towed))
         .routes(routes!(track::track))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))

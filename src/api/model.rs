@@ -170,6 +170,7 @@ mod tests {
             "needs_unit_weight",
             "needs_driving_slip",
             "needs_janosi_hanamoto",
+            "no_linear_stresses",
             "mirrored",
             "no_solution",
             "missing_value",

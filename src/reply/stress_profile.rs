@@ -48,11 +48,11 @@ struct ProfileColumns {
     /// Shear stress τ (Pa).
     #[schema(value_type = Vec<f64>)]
     shear_stress_pa: Column,
-    /// Linearised normal stress (Pa).
-    #[schema(value_type = Vec<f64>)]
+    /// Linearised normal stress (Pa); null where a braking wheel has two zones.
+    #[schema(value_type = Vec<Option<f64>>)]
     normal_stress_linear_pa: Column,
-    /// Linearised shear stress (Pa).
-    #[schema(value_type = Vec<f64>)]
+    /// Linearised shear stress (Pa); null where a braking wheel has two zones.
+    #[schema(value_type = Vec<Option<f64>>)]
     shear_stress_linear_pa: Column,
 }
 
@@ -67,8 +67,10 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
         let peak = patch.stresses(patch.angles.peak);
         let profile = StressProfile::of(&patch, *points, *peak_depth);
         let StressProfile { theta, depth, normal, shear, normal_linear, shear_linear } = profile;
-        let columns = [&depth, &normal, &shear, &normal_linear, &shear_linear];
-        if columns.iter().any(|column| column.iter().any(|value| !value.is_finite())) {
+        let parted = patch.has_two_zones();
+        let finite = |columns: [&[f64]; 5]| columns.iter().all(|column| column.iter().all(|value| value.is_finite()));
+        let (normal_stated, shear_stated): (&[f64], &[f64]) = if parted { (&[], &[]) } else { (&normal_linear, &shear_linear) };
+        if !finite([&depth, &normal, &shear, normal_stated, shear_stated]) {
             return Err(Error::NotFinite);
         }
         let outcome = Outcome {
@@ -80,6 +82,10 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
         let mut warnings: Vec<Warning> = cautions(operation, &outcome).map(Warning::from).collect();
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
+        }
+        if parted {
+            let detail = "two zones have no linear stresses: no shear stress acts at their peak";
+            warnings.push(Warning::new("no_linear_stresses", detail));
         }
         if *points < StressProfile::FEWEST_POINTS {
             let detail =

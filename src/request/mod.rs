@@ -12,6 +12,7 @@ mod series;
 mod slip_sweep;
 mod soil;
 mod stress_profile;
+mod towed;
 mod track;
 mod wheel;
 
@@ -28,6 +29,7 @@ pub(crate) use series::Samples;
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};
 pub(crate) use soil::{LAWS, SHEAR_LAWS, SoilDto};
 pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
+pub(crate) use towed::{TowedDto, TowedQuery};
 pub(crate) use track::{TrackDto, TrackPlan, TrackQuery, TrackSettings, checked_settings};
 pub(crate) use wheel::WheelDto;
 

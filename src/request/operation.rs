@@ -1,8 +1,8 @@
 //! What all requests for forces have in common: wheel, soil, contact, method and sinkage.
 
 use terramechanics::{
-    Contact, Error, ForceModel, LinearSlipSinkage, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth, Sinkage,
-    Slip, SlipSinkage, Velocities, Wheel, WheelOnSoil,
+    Braking, Contact, Error, ForceModel, LinearSlipSinkage, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth,
+    Sinkage, Slip, SlipSinkage, Velocities, Wheel, WheelOnSoil,
 };
 
 use utoipa::openapi::{RefOr, Schema};
@@ -52,6 +52,35 @@ pub(super) const LAMBDA_B: LambdaSpec =
     LambdaSpec { number: Number::new("λ_B of B ≈ (1 + λ_B) z/(2r) (–).", -1.0, 1.0).or(0.0), word: EXACT };
 const EXACT: Choice = Choice { doc: "The value at which the approximation is exact.", words: || vec!["exact"], default: None };
 
+pub(super) const BRAKING: Choice = Choice {
+    doc: "Law for a braking wheel, s < 0. one_zone: the displacement of a driving wheel continued; two_zone: Wong & Reece's towed wheel, whose shear reverses at the peak of the stresses; by quadrature alone, and it does not join the rolling wheel at s = 0.",
+    words: braking_words,
+    default: Some("one_zone"),
+};
+
+fn braking_words() -> Vec<&'static str> {
+    vec!["one_zone", "two_zone"]
+}
+
+/// The law for a braking wheel, `default` where none was sent; nothing where the word is wrong, which is reported.
+pub(super) fn braking_law(entry: &Entry<'_, String>, place: &Scope<'_>, default: Braking) -> Option<Braking> {
+    let law = or_none(entry, place, |word| match word {
+        "one_zone" => Some(Braking::OneZone),
+        "two_zone" => Some(Braking::TwoZone),
+        _ => None,
+    })?;
+    Some(law.unwrap_or(default))
+}
+
+/// Reports two zones with a method other than the quadrature; false where it did.
+pub(super) fn takes_two_zones(method: Method, contact: &Contact, braking: &Entry<'_, String>, place: &Scope<'_>) -> bool {
+    let refused = method != Method::Quadrature && contact.braking() == Braking::TwoZone;
+    if refused {
+        place.field(braking.name).fault(Error::ClosedFormOfTwoZones);
+    }
+    !refused
+}
+
 /// The slip–sinkage laws and their parameters.
 const SLIP_SINKAGE_LAWS: &[Variant] =
     &[Variant { name: "lyasko", required: &[], optional: &[] }, Variant { name: "linear", required: &["gain"], optional: &[] }];
@@ -96,6 +125,7 @@ pub(super) struct OperationEntries<'a> {
     pub(super) normal_load: Entry<'a, f64>,
     pub(super) normal_stress_radius: Entry<'a, String>,
     pub(super) peak_sinkage: Entry<'a, String>,
+    pub(super) braking: Entry<'a, String>,
     pub(super) method: Option<MethodEntries<'a>>,
 }
 
@@ -126,6 +156,7 @@ impl OperationEntries<'_> {
         let wheel = self.wheel.required(place).and_then(|dto| dto.check(&place.field(self.wheel.name)));
         let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name)));
         let contact = checked_contact(&self.contact, place, soil.and_then(|(_, measured)| measured));
+        let braking = braking_law(&self.braking, place, Braking::OneZone);
         let sinkage = sinkage(wheel.as_ref());
         let peak_depth = or_none(&self.peak_sinkage, place, |word| match word {
             "geometric" => Some(PeakDepth::Geometric),
@@ -139,7 +170,11 @@ impl OperationEntries<'_> {
             None => Some(Method::Quadrature),
         };
         let model = ForceModel { method: method?, normal_stress_radius: normal_stress_radius? };
-        let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact: contact? };
+        let contact = contact?.with_braking(braking?);
+        if !takes_two_zones(model.method, &contact, &self.braking, place) {
+            return None;
+        }
+        let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact };
         Some(Checked { operation: Operation { system, model, sinkage: sinkage? }, peak_depth })
     }
 
@@ -301,8 +336,12 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
         Error::PeakOutsideContact { .. } => "/contact",
-        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } => "/normal_load_n",
+        Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones => "/braking",
         Error::LoadNotCoupled { .. } => "/slip",
+        Error::LoadBeyondCapacity { .. }
+        | Error::LoadTooLight { .. }
+        | Error::LoadNotBalanced { .. }
+        | Error::NotFreeRolling { .. } => "/normal_load_n",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
         Error::NotFinite => "",
         Error::Invalid(fault) => match fault.parameter {

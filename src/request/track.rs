@@ -26,6 +26,7 @@ wire_object! {
         slip_sinkage: SlipSinkageDto = operation::SLIP_SINKAGE,
         normal_load_n: f64 = NORMAL_LOAD,
         method: String = operation::METHOD,
+        braking: String = operation::BRAKING,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
         peak_sinkage: String = operation::PEAK_SINKAGE,
         lambda_a: Lambda = operation::LAMBDA_A,
@@ -92,6 +93,7 @@ impl TrackDto {
             normal_load: self.normal_load_n(),
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
+            braking: self.braking(),
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
         };
         let sound = |entry: Entry<'_, f64>| if entry.is_present() { entry.checked(place).map(Some) } else { Some(None) };

@@ -218,6 +218,15 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         }
         assert!(body.pointer(pointer).is_some(), "{pointer}");
     }
+    if path == "/v1/towed" {
+        // So light that the smallest wheel and the weakest soil carry it, at a skid that the contact has room for.
+        let light = field.pointer.starts_with("/wheel/") || field.pointer.starts_with("/soil/pressure_sinkage");
+        let load = if light { 1e-3 } else { 10.0 };
+        body = with(&body, json!({"slip": null, "sinkage_m": null, "normal_load_n": load}));
+        if field.pointer == "/soil/friction_angle_rad" {
+            body = with(&body, json!({"soil": {"cohesion_pa": 100}})); // something has to turn the wheel
+        }
+    }
     set(&mut body, &field.pointer, &field.schema, value);
     body
 }

@@ -1,6 +1,7 @@
 //! The service as its clients see it: files mirror `src/api`.
 
 mod asking;
+mod braking;
 mod catalogue;
 mod compare;
 mod contract;
@@ -16,6 +17,7 @@ mod resistances;
 mod server;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
 mod track;
 mod track_stream;
 mod validation;

@@ -11,9 +11,11 @@
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
 //!
-//! Beside that way: [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical
-//! estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
+//! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
+//! [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical estimates for a load, and a
+//! [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 
+mod braking;
 mod caution;
 mod contact;
 mod coupled;
@@ -32,9 +34,11 @@ mod slip_sinkage;
 mod soil;
 mod stress;
 mod sweep;
+mod towed;
 mod track;
 mod wheel;
 
+pub use braking::Braking;
 pub use caution::{Caution, CautionKind, Outcome, TestedRange, cautions, system_cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
 pub use coupled::{Coupled, CoupledForces};
@@ -52,5 +56,6 @@ pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};
 pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
 pub use sweep::{Gap, SlipSweep};
+pub use towed::Towed;
 pub use track::{CautionTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};

@@ -18,6 +18,9 @@ fn coupled(patch: &ContactPatch<'_>, normal_load: f64, torque: Option<f64>) -> R
     Coupled { normal_load, torque, normal_stress_radius: NormalStressRadius::Rim }.forces(patch)
 }
 
+/// Wong's law without a residual leaves torques near the least double, which have fewer digits (N·m).
+const SUBNORMAL: f64 = 1e-300;
+
 fn shear_laws() -> impl Strategy<Value = ShearLaw> {
     let displacement = || (-3.3..-1.0).prop_map(|log: f64| 10f64.powf(log));
     prop_oneof![
@@ -58,7 +61,7 @@ proptest! {
             let tolerance = ROUNDING * linear.normal_scale() / linear.normal;
             let known = Coupled { normal_load: linear.normal, torque: None, normal_stress_radius };
             let from_load = known.forces(&patch).expect("it carries that load");
-            prop_assert!((from_load.torque - linear.torque).abs() <= tolerance * linear.torque.abs());
+            prop_assert!((from_load.torque - linear.torque).abs() <= tolerance * linear.torque.abs() + SUBNORMAL);
             prop_assert!((from_load.longitudinal - linear.longitudinal).abs() <= tolerance * linear.longitudinal_scale());
             let measured = Coupled { torque: Some(linear.torque), ..known }.forces(&patch).expect("any torque will do");
             prop_assert_eq!(measured.torque, linear.torque);

@@ -150,3 +150,10 @@ pub(crate) static SLIP_GAIN_UNUSED: CautionKind = CautionKind {
     meaning: "the sinkage exponent of this soil changes with slip; the estimates are those of its exponent at rest, n0",
     range: None,
 };
+
+pub(crate) static PEAK_RULE_SET_ASIDE: CautionKind = CautionKind {
+    code: "peak_rule_set_aside",
+    meaning: "a braking wheel with two zones has its largest stress where they part; the contact's own rule for that angle is not \
+              used at negative slip",
+    range: None,
+};

@@ -70,7 +70,7 @@ impl From<&OperatingPoint> for Outcome {
 
 impl Caution {
     /// Everything that is watched.
-    pub const KINDS: [&'static CautionKind; 13] = [
+    pub const KINDS: [&'static CautionKind; 14] = [
         &SMALL_WHEEL,
         &DEEP_SINKAGE,
         &SLIP_BEYOND_FIT,
@@ -79,6 +79,7 @@ impl Caution {
         &NEGATIVE_COHESIVE_MODULUS,
         &LOW_GRAVITY,
         &LUG_HEIGHT_ASSUMED,
+        &PEAK_RULE_SET_ASIDE,
         &INTEGRATION_ERROR,
         &LOAD_RESIDUAL,
         &NEGATIVE_NORMAL_STRESS,
@@ -161,6 +162,7 @@ pub fn cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item 
         only_when(gains || from_static, &SLIP_BEYOND_FIT),
         only_when(gains && exponent.skid_gain.is_none(), &SLIP_GAIN_EXTRAPOLATED),
         only_when(from_static, &SLIP_SINKAGE_EXTRAPOLATED),
+        PEAK_RULE_SET_ASIDE.when(!outcome.slip.is_driving() && system.contact.sets_rule_aside()),
         INTEGRATION_ERROR.of(outcome.integration_error),
         LOAD_RESIDUAL.of(residual),
     ];

@@ -111,7 +111,8 @@ impl ForceModel {
     /// Forces and torque on the wheel in the contact `patch`.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a λ that is not finite, [`Error::NotFinite`] where a result overflows.
+    /// [`Error::Invalid`] for a λ that is not finite, [`Error::ClosedFormOfTwoZones`] for a closed form of a braking wheel
+    /// with two zones, [`Error::NotFinite`] where a result overflows.
     ///
     /// ```
     /// use terramechanics::*;
@@ -143,6 +144,9 @@ impl ForceModel {
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<Forces, Error> {
         let forces = match self.method {
             Method::Quadrature => quadrature::forces(self, patch),
+            Method::Linearised { .. } | Method::Explicit { .. } if patch.has_two_zones() => {
+                return Err(Error::ClosedFormOfTwoZones);
+            }
             Method::Linearised { peak_depth } => linearised::forces(self, patch, peak_depth),
             Method::Explicit { peak_depth, lambda_a, lambda_b } => {
                 for (parameter, lambda) in [(Parameter::LambdaA, lambda_a), (Parameter::LambdaB, lambda_b)] {
