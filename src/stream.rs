@@ -14,7 +14,7 @@ use crate::app::Limits;
 use crate::compute::Place;
 use crate::problem::Problem;
 
-/// Output after which a slice ends (bytes). Larger pieces are hardly faster, and memory grows with them.
+/// Output after which a slice ends (bytes). Larger pieces are hardly faster.
 pub(crate) const PIECE: usize = 16 << 10;
 
 /// Room for the row that goes beyond the end of a piece (bytes).
@@ -102,8 +102,7 @@ impl<W: Work> Stream<W> {
                 self.work = Some(work);
                 return Err(problem);
             }
-            // What is large is allocated and freed on this side: an allocator keeps blocks that another thread frees, and memory
-            // would grow by tens of megabytes over a long stream.
+            // What is large is allocated and freed on this side of the pool, for blocks that another thread frees are kept longer.
             let whole = std::mem::take(&mut self.input);
             let (mut input, last) = (whole.clone(), self.last);
             output = Vec::with_capacity(PIECE + OVERHANG);
