@@ -26,6 +26,10 @@ pub struct Limits {
     pub compute_deadline: Duration,
     /// Long computations that may run or wait.
     pub compute_places: usize,
+    /// Time in which something of a stream has to arrive, and something of its answer has to be taken.
+    pub stream_idle: Duration,
+    /// Time in which a stream has to end.
+    pub stream_deadline: Duration,
 }
 
 impl Default for Limits {
@@ -35,6 +39,8 @@ impl Default for Limits {
             body_deadline: Duration::from_secs(10),
             compute_deadline: Duration::from_secs(30),
             compute_places: 64,
+            stream_idle: Duration::from_secs(30),
+            stream_deadline: Duration::from_secs(3600),
         }
     }
 }

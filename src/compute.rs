@@ -7,7 +7,7 @@ use axum::http::HeaderValue;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use terramechanics::{Method, Operation, Sinkage};
-use tokio::sync::Semaphore;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use crate::extract::Format;
 use crate::problem::Problem;
@@ -41,6 +41,12 @@ impl Cost {
     /// Of `points` operating points by each of several methods.
     pub(crate) fn of_comparison(operations: &[Operation], points: usize) -> Self {
         Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())
+    }
+
+    /// Operating points that are computed without a pause.
+    pub(crate) fn points_in_a_slice(operation: &Operation) -> usize {
+        const SLICE: f64 = 10e6; // 10 ms at the worst
+        (SLICE / Self::of_points(operation, 1).0).max(1.0) as usize
     }
 
     /// Of `points` measurements, each predicted under its load by every method, of which the quadrature takes nearly all.
@@ -96,6 +102,14 @@ impl Pool {
         self.places.available_permits()
     }
 
+    /// A place for a computation that goes on in slices.
+    ///
+    /// # Errors
+    /// [`Problem::Busy`] if none is free.
+    pub(crate) fn place(&self) -> Result<Place, Problem> {
+        self.places.clone().try_acquire_owned().map(Place).map_err(|_| Problem::Busy)
+    }
+
     /// What `work` returns, run where its cost allows.
     ///
     /// # Errors
@@ -122,6 +136,23 @@ impl Pool {
             }
             Ok(Ok(result)) => result,
         }
+    }
+}
+
+/// A place on the pool, free again when it is dropped.
+#[derive(Debug)]
+pub(crate) struct Place(#[expect(dead_code, reason = "held, not read")] OwnedSemaphorePermit);
+
+impl Place {
+    /// What a slice of work returns.
+    ///
+    /// # Errors
+    /// [`Problem::Internal`] if the work panics.
+    pub(crate) async fn run<T: Send + 'static>(&self, slice: impl FnOnce() -> T + Send + 'static) -> Result<T, Problem> {
+        tokio::task::spawn_blocking(slice).await.map_err(|panic| {
+            tracing::error!(%panic, "a computation panicked");
+            Problem::Internal
+        })
     }
 }
 

@@ -77,6 +77,14 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_BODY_LIMIT", default_value_t = 1 << 20, value_parser = clap::value_parser!(u32).range(1024..=64 << 20), value_name = "BYTES")]
     pub body_limit: u32,
 
+    /// Seconds after which a stream is ended that neither sends nor takes anything.
+    #[arg(long, env = "TERRAMECHANICS_STREAM_IDLE_TIMEOUT", default_value_t = 30, value_parser = seconds(), value_name = "SECONDS")]
+    pub stream_idle_timeout: u64,
+
+    /// Seconds in which a stream has to end; its bytes are not limited.
+    #[arg(long, env = "TERRAMECHANICS_STREAM_TIMEOUT", default_value_t = 3600, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "SECONDS")]
+    pub stream_timeout: u64,
+
     /// Connections that may be open at once; more wait to be accepted.
     #[arg(long, env = "TERRAMECHANICS_MAX_CONNECTIONS", default_value_t = 1024, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
     pub max_connections: u16,
@@ -104,6 +112,8 @@ impl Serve {
             body_deadline: Duration::from_secs(self.read_timeout),
             compute_deadline: Duration::from_secs(self.compute_timeout),
             compute_places: usize::from(self.compute_places),
+            stream_idle: Duration::from_secs(self.stream_idle_timeout),
+            stream_deadline: Duration::from_secs(self.stream_timeout),
         }
     }
 }

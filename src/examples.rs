@@ -4,19 +4,23 @@
 
 use std::time::Duration;
 
+use axum::body::Bytes;
 use serde_json::{Value, json};
 use utoipa::openapi::path::ParameterBuilder;
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
+use crate::extract::SeriesForm;
 use crate::reply::{
     CompareReply, CoupledReply, ForcesReply, IdentifyReply, PlatesReply, ProfileReply, Reply, ResistancesReply, ShearReply,
     SweepReply, TowedReply, ValidationSet, csv,
 };
 use crate::request::{
     CompareDto, CoupledDto, ForcesDto, IdentifyDto, PlatesDto, ProfileDto, Request, ResistancesDto, ShearTestsDto, SweepDto,
-    TowedDto, checked,
+    TowedDto, TrackDto, checked,
 };
+use crate::series::Run;
+use crate::stream::{Progress, Work};
 use crate::validation;
 use crate::wire::read;
 
@@ -72,7 +76,7 @@ fn set_parameters(operation: &mut utoipa::openapi::path::Operation, body: &Value
 
 type Answer = Vec<(&'static str, Value)>;
 
-fn bodies() -> [(&'static str, Value, Answer); 10] {
+fn bodies() -> [(&'static str, Value, Answer); 11] {
     let forces = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02
     });
@@ -92,6 +96,13 @@ fn bodies() -> [(&'static str, Value, Answer); 10] {
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": [0.1, 0.3], "sinkage_m": 0.02,
         "methods": ["quadrature", "linearised", "explicit"]
     });
+    let track = json!({
+        "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80, "method": "explicit",
+        "columns": {
+            "time_s": [0, 1, 2, 3], "forward_velocity_m_s": [0, 0.16, null, 0.1], "angular_velocity_rad_s": [0, 1, 1, 1]
+        }
+    });
+    let track_reply = track_answer(&track);
     let coupled = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02, "normal_load_n": 80
     });
@@ -149,6 +160,34 @@ fn bodies() -> [(&'static str, Value, Answer); 10] {
         ("/v1/identify", identify, identify_reply),
         ("/v1/identify/plates", plates, plates_reply),
         ("/v1/identify/shear", shear, shear_reply),
+        ("/v1/track", track, track_reply),
+    ]
+}
+
+/// What a run over samples gives, in every form.
+fn track_answer(request: &Value) -> Answer {
+    let text = request.to_string();
+    let run = |form: SeriesForm| {
+        let query = checked::<TrackDto>(&read(text.as_bytes()).ok()?).ok()?;
+        let mut output = Vec::new();
+        let mut run = Run::over_samples(query, form);
+        while run.slice(&mut Bytes::new(), true, &mut output).ok()? != Progress::Complete {}
+        String::from_utf8(output).ok()
+    };
+    let json: Option<Value> = run(SeriesForm::Json).and_then(|text| serde_json::from_str(&text).ok());
+    let rounded_cell = |cell: &str| cell.parse().map_or_else(|_| cell.to_owned(), |value: f64| format!("{:?}", rounded(value)));
+    let rounded_line = |line: &str| match line.strip_prefix('#') {
+        Some(_) => line.to_owned(),
+        None => line.split(',').map(rounded_cell).collect::<Vec<_>>().join(","),
+    };
+    let rounded_object = |line: &str| serde_json::from_str(line).map(with_rounded_numbers).unwrap_or_default().to_string();
+    let lines = |text: Option<String>, rounded: &dyn Fn(&str) -> String| -> String {
+        text.iter().flat_map(|text| text.lines()).map(|line| rounded(line) + "\n").collect()
+    };
+    vec![
+        ("application/json", json.map(with_rounded_numbers).unwrap_or_default()),
+        ("text/csv", lines(run(SeriesForm::Csv), &rounded_line).into()),
+        ("application/x-ndjson", lines(run(SeriesForm::Ndjson), &rounded_object).into()),
     ]
 }
 

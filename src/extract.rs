@@ -6,7 +6,7 @@ use axum::body::{Body, to_bytes};
 use axum::extract::{FromRequest, FromRequestParts};
 use axum::http::header::{ACCEPT, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::http::request::Parts;
-use axum::http::{HeaderMap, Request};
+use axum::http::{HeaderMap, Request, Uri};
 use utoipa::IntoParams;
 use utoipa::openapi::path::{Parameter, ParameterIn};
 
@@ -52,8 +52,7 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
-        let mut query = Query::parse(parts.uri.query().unwrap_or(""))
-            .map_err(|error| Problem::Invalid(vec![FieldFault { pointer: String::new(), detail: error.to_string() }]))?;
+        let mut query = parsed(&parts.uri)?;
         let faults = RefCell::default();
         let format = asked_format(&mut query, &Scope::root(&faults));
         let mut faults = faults.into_inner();
@@ -66,6 +65,19 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
             }
         }
     }
+}
+
+/// The request object that a query stands for.
+///
+/// # Errors
+/// [`Problem::Invalid`] where it has too many parameters.
+pub(crate) fn read_query<T: wire::Wire>(uri: &Uri) -> Result<wire::Field<T>, Problem> {
+    parsed(uri).map(Query::read)
+}
+
+fn parsed(uri: &Uri) -> Result<Query, Problem> {
+    Query::parse(uri.query().unwrap_or(""))
+        .map_err(|error| Problem::Invalid(vec![FieldFault { pointer: String::new(), detail: error.to_string() }]))
 }
 
 const FORMAT: Choice =
@@ -145,22 +157,73 @@ impl Format {
 
     /// The format that an Accept header prefers (RFC 9110, section 12.5.1); JSON where it accepts neither or both alike.
     fn preferred(accept: &str) -> Self {
-        let quality = |kind: &str, subtype: &str| {
-            let ranges = accept.split(',').filter_map(|range| {
-                let mut parts = range.split(';').map(str::trim);
-                let (main, sub) = parts.next()?.split_once('/')?;
-                let specificity = match (main, sub) {
-                    _ if main.eq_ignore_ascii_case(kind) && sub.eq_ignore_ascii_case(subtype) => 2,
-                    (_, "*") if main.eq_ignore_ascii_case(kind) => 1,
-                    ("*", "*") => 0,
-                    _ => return None,
-                };
-                let weight = parts.find_map(|part| part.strip_prefix("q=").or_else(|| part.strip_prefix("Q=")));
-                Some((specificity, weight.map_or(Some(1.0), |weight| weight.parse::<f64>().ok())?))
-            });
-            ranges.max_by_key(|(specificity, _)| *specificity).map_or(0.0, |(_, weight)| weight)
+        if quality(accept, "text", "csv") > quality(accept, "application", "json") { Self::Csv } else { Self::Json }
+    }
+}
+
+/// How much an Accept header wants a media type, from 0 to 1.
+fn quality(accept: &str, kind: &str, subtype: &str) -> f64 {
+    let ranges = accept.split(',').filter_map(|range| {
+        let mut parts = range.split(';').map(str::trim);
+        let (main, sub) = parts.next()?.split_once('/')?;
+        let specificity = match (main, sub) {
+            _ if main.eq_ignore_ascii_case(kind) && sub.eq_ignore_ascii_case(subtype) => 2,
+            (_, "*") if main.eq_ignore_ascii_case(kind) => 1,
+            ("*", "*") => 0,
+            _ => return None,
         };
-        if quality("text", "csv") > quality("application", "json") { Self::Csv } else { Self::Json }
+        let weight = parts.find_map(|part| part.strip_prefix("q=").or_else(|| part.strip_prefix("Q=")));
+        Some((specificity, weight.map_or(Some(1.0), |weight| weight.parse::<f64>().ok())?))
+    });
+    ranges.max_by_key(|(specificity, _)| *specificity).map_or(0.0, |(_, weight)| weight)
+}
+
+/// A form in which a series comes or goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SeriesForm {
+    /// Columns in one JSON text.
+    Json,
+    /// A table.
+    Csv,
+    /// A JSON object a line.
+    Ndjson,
+}
+
+impl SeriesForm {
+    const ALL: [Self; 3] = [Self::Json, Self::Csv, Self::Ndjson];
+
+    /// The form of a body.
+    ///
+    /// # Errors
+    /// [`Problem::NotSeriesType`] for any other.
+    pub(crate) fn of_body(headers: &HeaderMap) -> Result<Self, Problem> {
+        let declared = headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()).unwrap_or("");
+        let essence = declared.split(';').next().unwrap_or("").trim();
+        let is = |form: &Self| form.media_types().iter().any(|known| essence.eq_ignore_ascii_case(known));
+        match Self::ALL.into_iter().find(is) {
+            Some(form) => Ok(form),
+            None if is_json(headers) => Ok(Self::Json),
+            None => Err(Problem::NotSeriesType),
+        }
+    }
+
+    /// The form that an answer to a body of this form is wanted in: the same unless another is preferred.
+    pub(crate) fn of_answer(self, headers: &HeaderMap) -> Self {
+        let Some(accept) = headers.get(ACCEPT).and_then(|value| value.to_str().ok()) else { return self };
+        let wanted = |form: Self| {
+            let of = |known: &&str| known.split_once('/').map_or(0.0, |(kind, subtype)| quality(accept, kind, subtype));
+            form.media_types().iter().map(of).fold(0.0, f64::max)
+        };
+        Self::ALL.into_iter().fold(self, |best, form| if wanted(form) > wanted(best) { form } else { best })
+    }
+
+    /// Its media types, the one that is sent first.
+    pub(crate) fn media_types(self) -> &'static [&'static str] {
+        match self {
+            Self::Json => &["application/json"],
+            Self::Csv => &["text/csv"],
+            Self::Ndjson => &["application/x-ndjson", "application/ndjson", "application/jsonl"],
+        }
     }
 }
 

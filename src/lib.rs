@@ -18,9 +18,21 @@ mod page;
 mod problem;
 mod reply;
 mod request;
+mod series;
 pub mod server;
+mod stream;
 mod validation;
 mod wire;
+
+/// What is fuzzed; there is none of it in the program.
+#[cfg(fuzzing)]
+pub mod fuzzing {
+    /// What the reader of tables makes of the pieces of one, in words.
+    #[must_use]
+    pub fn csv_rows(pieces: &[&[u8]]) -> String {
+        format!("{:?}", crate::series::all_of_csv(pieces))
+    }
+}
 
 pub use app::{Limits, Service, app, layered};
 pub use metrics::Metrics;

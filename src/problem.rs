@@ -9,6 +9,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use crate::request::error_fault;
+use crate::series::SeriesFault;
 use crate::wire::FieldFault;
 
 /// Why a request has no answer.
@@ -38,6 +39,12 @@ pub(crate) enum Problem {
     },
     /// The body is not declared to be JSON.
     NotJsonType,
+    /// The body is not declared to be a series in a form that is known.
+    NotSeriesType,
+    /// The series in the body cannot be read.
+    Unreadable(SeriesFault),
+    /// Nothing of the body arrived, or nothing of the answer was taken, for too long.
+    Idle(Duration),
     /// The request cannot be computed.
     Invalid(Vec<FieldFault>),
     /// All places for long computations are taken.
@@ -67,11 +74,11 @@ pub(crate) struct ProblemBody {
     /// For bad input: every fault found.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     errors: Vec<FieldFault>,
-    /// For a body that is not JSON: line of the fault, from 1.
+    /// For a body that cannot be read: line of the fault, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     line: Option<usize>,
-    /// For a body that is not JSON: column of the fault.
+    /// For a body that cannot be read: column of the fault; of a table, the cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     column: Option<usize>,
@@ -88,12 +95,12 @@ impl Problem {
 
     pub(crate) fn status(&self) -> StatusCode {
         match self {
-            Self::NotJson { .. } | Self::BrokenBody => StatusCode::BAD_REQUEST,
+            Self::NotJson { .. } | Self::BrokenBody | Self::Unreadable(_) => StatusCode::BAD_REQUEST,
             Self::NotFound(_) => StatusCode::NOT_FOUND,
             Self::MethodNotAllowed => StatusCode::METHOD_NOT_ALLOWED,
-            Self::SlowBody(_) => StatusCode::REQUEST_TIMEOUT,
+            Self::SlowBody(_) | Self::Idle(_) => StatusCode::REQUEST_TIMEOUT,
             Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
-            Self::NotJsonType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
+            Self::NotJsonType | Self::NotSeriesType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
             Self::Invalid(_) => StatusCode::UNPROCESSABLE_ENTITY,
             Self::Busy | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
             Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
@@ -106,9 +113,11 @@ impl Problem {
             Self::BrokenBody => ("broken-body", "The body could not be received"),
             Self::NotFound(_) => ("not-found", "There is nothing here"),
             Self::MethodNotAllowed => ("method-not-allowed", "The method is not allowed here"),
-            Self::SlowBody(_) => ("slow-body", "The body did not arrive in time"),
+            Self::Unreadable(_) => ("unreadable-series", "The series cannot be read"),
+            Self::SlowBody(_) | Self::Idle(_) => ("slow-body", "The body did not arrive in time"),
             Self::TooLarge { .. } => ("too-large", "The body is too large"),
             Self::NotJsonType => ("unsupported-media-type", "The body has to be JSON"),
+            Self::NotSeriesType => ("unsupported-media-type", "The body has to be JSON, CSV or NDJSON"),
             Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
             Self::Busy => ("busy", "The service is busy"),
             Self::Late(_) => ("late", "The answer was not ready in time"),
@@ -116,7 +125,8 @@ impl Problem {
         }
     }
 
-    fn detail(&self) -> String {
+    /// What happened, in words.
+    pub(crate) fn detail(&self) -> String {
         match self {
             Self::NotJson { detail, .. } => detail.clone(),
             Self::BrokenBody => "the connection broke or the body was malformed".into(),
@@ -125,6 +135,9 @@ impl Problem {
             Self::SlowBody(limit) => format!("the body has to arrive within {} s", limit.as_secs_f64()),
             Self::TooLarge { limit } => format!("the body may have at most {limit} bytes"),
             Self::NotJsonType => "send the body with Content-Type: application/json".into(),
+            Self::NotSeriesType => "send the body with Content-Type: application/json, text/csv or application/x-ndjson".into(),
+            Self::Unreadable(fault) => fault.to_string(),
+            Self::Idle(limit) => format!("nothing was sent or taken for {} s", limit.as_secs_f64()),
             Self::Invalid(errors) => match errors.as_slice() {
                 [one] if one.pointer.is_empty() => one.detail.clone(),
                 [one] => format!("{} {}", one.pointer, one.detail),
@@ -143,6 +156,7 @@ impl From<Problem> for ProblemBody {
         let (name, title) = problem.name_and_title();
         let (line, column) = match problem {
             Problem::NotJson { line, column, .. } => (Some(line), Some(column)),
+            Problem::Unreadable(SeriesFault { line, column, .. }) => (usize::try_from(line).ok(), (column > 0).then_some(column)),
             _ => (None, None),
         };
         let detail = problem.detail();

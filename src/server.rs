@@ -48,7 +48,9 @@ pub async fn serve(
     let places = Arc::new(Semaphore::new(bounds.connections));
     let graceful = GracefulShutdown::new();
     let mut builder = http1::Builder::new();
-    builder.timer(TokioTimer::new()).header_read_timeout(bounds.head_deadline).max_buf_size(HEAD_BYTES).pipeline_flush(true);
+    // Without `pipeline_flush`, which takes the bound off the answers that wait to be written: a slow reader of a stream could
+    // then fill the memory.
+    builder.timer(TokioTimer::new()).header_read_timeout(bounds.head_deadline).max_buf_size(HEAD_BYTES);
     let mut stop = std::pin::pin!(stop);
     loop {
         let accepted = tokio::select! {

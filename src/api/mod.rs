@@ -12,6 +12,7 @@ mod responses;
 mod slip_sweep;
 mod stress_profile;
 mod towed;
+mod track;
 mod validation;
 
 use utoipa_axum::router::OpenApiRouter;
@@ -32,6 +33,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(identify::identify))
         .routes(routes!(identify::plates))
         .routes(routes!(identify::shear))
+        .routes(routes!(track::track))
         .routes(routes!(catalogue::wheels))
         .routes(routes!(catalogue::wheel))
         .routes(routes!(catalogue::soils))

@@ -8,6 +8,7 @@ use utoipa::openapi::{ContentBuilder, Ref, RefOr};
 use utoipa::{IntoResponses, ToSchema};
 
 use crate::problem::{Problem, ProblemBody};
+use crate::series::SeriesFault;
 use crate::wire::FieldFault;
 
 /// Each problem with what brings it about, as it is documented under its status.
@@ -42,6 +43,22 @@ impl IntoResponses for InvalidBody {
             (Problem::SlowBody(Duration::from_secs(10)), "The body did not arrive in time"),
             (Problem::TooLarge { limit: 1 << 20 }, "The body is too large"),
             (Problem::NotJsonType, "The body is not declared as JSON"),
+            (refused(), "The request cannot be computed; every fault with a JSON pointer"),
+        ])
+    }
+}
+
+/// What can be wrong with a body that is a series.
+pub(super) struct InvalidSeries;
+
+impl IntoResponses for InvalidSeries {
+    fn responses() -> BTreeMap<String, RefOr<Response>> {
+        let unreadable = SeriesFault { line: 3, column: 2, detail: "`abc` is not a number (column `slip`)".into() };
+        problems(vec![
+            (Problem::Unreadable(unreadable), "The body cannot be read; line and column of the fault"),
+            (Problem::Idle(Duration::from_secs(30)), "The body did not arrive in time"),
+            (Problem::TooLarge { limit: 1 << 20 }, "The JSON body is too large; the other forms have no limit"),
+            (Problem::NotSeriesType, "The body is not declared as JSON, CSV or NDJSON"),
             (refused(), "The request cannot be computed; every fault with a JSON pointer"),
         ])
     }

@@ -10,6 +10,7 @@ mod slip_sweep;
 mod soil;
 mod stress_profile;
 mod towed;
+mod track;
 mod validation;
 mod warning;
 
@@ -22,6 +23,7 @@ pub(crate) use resistances::ResistancesReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;
 pub(crate) use towed::TowedReply;
+pub(crate) use track::{EventReply, Findings, TrackReply};
 pub(crate) use validation::ValidationSet;
 pub(crate) use warning::{RowCautions, Warning};
 

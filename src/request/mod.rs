@@ -10,10 +10,12 @@ mod forces;
 mod identify;
 mod operation;
 mod resistances;
+mod series;
 mod slip_sweep;
 mod soil;
 mod stress_profile;
 mod towed;
+mod track;
 mod wheel;
 
 pub(crate) use catalogue::{SoilsDto, WheelsDto};
@@ -26,10 +28,13 @@ pub(crate) use identify::{FitQuery, IdentifyDto, IdentifyQuery, LinearQuery, col
 pub(crate) use operation::SlipSinkageDto;
 pub(crate) use operation::{error_fault, error_pointer};
 pub(crate) use resistances::{ResistancesDto, ResistancesQuery};
+use series::ColumnsDto;
+pub(crate) use series::Samples;
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};
 pub(crate) use soil::{LAWS, SHEAR_LAWS, SoilDto};
 pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
 pub(crate) use towed::{TowedDto, TowedQuery};
+pub(crate) use track::{TrackDto, TrackPlan, TrackQuery, TrackSettings, checked_settings};
 pub(crate) use wheel::WheelDto;
 
 use std::cell::RefCell;

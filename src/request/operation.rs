@@ -144,11 +144,20 @@ pub(super) struct Checked {
 
 impl OperationEntries<'_> {
     pub(super) fn check(&self, place: &Scope<'_>) -> Option<Checked> {
+        self.check_with(place, |wheel| self.sinkage(place, wheel))
+    }
+
+    /// The operation with a sinkage that is known in another way.
+    pub(super) fn check_with(
+        &self,
+        place: &Scope<'_>,
+        sinkage: impl FnOnce(Option<&Wheel>) -> Option<Sinkage>,
+    ) -> Option<Checked> {
         let wheel = self.wheel.required(place).and_then(|dto| dto.check(&place.field(self.wheel.name)));
         let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name)));
         let contact = checked_contact(&self.contact, place, soil.and_then(|(_, measured)| measured));
         let braking = braking_law(&self.braking, place, Braking::OneZone);
-        let sinkage = self.sinkage(place, wheel.as_ref());
+        let sinkage = sinkage(wheel.as_ref());
         let peak_depth = or_none(&self.peak_sinkage, place, |word| match word {
             "geometric" => Some(PeakDepth::Geometric),
             "half" => Some(PeakDepth::Half),
@@ -170,7 +179,7 @@ impl OperationEntries<'_> {
     }
 
     /// The slip–sinkage law, which has a meaning only beside a static sinkage.
-    fn slip_sinkage(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
+    pub(super) fn slip_sinkage(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
         if !self.slip_sinkage.is_present() {
             return Some(SlipSinkage::Lyasko);
         }

@@ -204,9 +204,15 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         "/slip/0" => json!({"slip": [0, 0.1]}),
         "/lambda_a" | "/lambda_b" if path == "/v1/compare" => json!({"methods": ["explicit"]}),
         "/lambda_a" | "/lambda_b" => json!({"method": "explicit"}),
+        pointer if pointer.starts_with("/thresholds/") => json!({"thresholds": {}}),
         _ => json!({}),
     };
     let mut body = with(&body, around);
+    if path == "/v1/track" {
+        let columns = json!({"time_s": [0, 1], "slip": [0, 0.1]});
+        let given = if field.pointer == "/normal_load_n" { "normal_load_n" } else { "static_sinkage_m" };
+        body = with(&body, json!({"slip": null, "sinkage_m": null, given: 1e-4, "columns": columns}));
+    }
     for (pointer, tag, name) in &field.variants {
         if tag == "rule" {
             body = with(&body, json!({"contact": {"rule": name}}));

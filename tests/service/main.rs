@@ -20,5 +20,7 @@ mod server;
 mod slip_sweep;
 mod stress_profile;
 mod towed;
+mod track;
+mod track_stream;
 mod validation;
 mod warnings;

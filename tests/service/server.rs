@@ -223,3 +223,49 @@ fn open_requests_end_before_the_server_stops() {
         assert!(TcpStream::connect(server.address).is_err());
     }
 }
+
+#[test]
+fn a_track_is_answered_over_the_wire_while_it_is_sent() {
+    let server = Server::start(&["--compute-threads", "1"]);
+    let mut stream = server.connect();
+    let settings = "wheel.preset=letter&soil.preset=letter-sand&static_sinkage_m=0.02&method=explicit";
+    let head = format!(
+        "POST /v1/track?{settings} HTTP/1.1\r\nHost: test\r\nConnection: close\r\nContent-Type: text/csv\r\nTransfer-Encoding: chunked\r\n\r\n"
+    );
+    let chunk = |text: &str| format!("{:x}\r\n{text}\r\n", text.len());
+    stream.write_all((head + &chunk("time_s,slip\n0,0.1\n")).as_bytes()).expect("sent");
+    let mut answer = String::new();
+    let mut reader = BufReader::new(stream.try_clone().expect("the other half"));
+    while !answer.contains("\n0.0,0.1,") {
+        assert!(reader.read_line(&mut answer).expect("a line") > 0, "{answer}");
+    }
+    assert!(answer.starts_with("HTTP/1.1 200 "), "{answer}");
+    stream.write_all((chunk("1,0.1\n") + "0\r\n\r\n").as_bytes()).expect("sent");
+    reader.read_to_string(&mut answer).expect("the rest");
+    assert!(answer.contains("\n1.0,0.1,") && answer.contains("#end,2\n") && answer.ends_with("0\r\n\r\n"), "{answer}");
+}
+
+#[test]
+fn a_reader_that_does_not_read_fills_no_memory() {
+    let server = Server::start(&[]);
+    let memory = || {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", server.child.id())).expect("the state of a process");
+        let line = status.lines().find(|line| line.starts_with("VmRSS:")).expect("its memory");
+        line.split_whitespace().nth(1).and_then(|kilobytes| kilobytes.parse::<u64>().ok()).expect("a number")
+    };
+    let mut stream = server.connect();
+    stream.set_write_timeout(Some(Duration::from_millis(500))).expect("a timeout");
+    let settings = "wheel.preset=letter&soil.preset=letter-sand&static_sinkage_m=0.02&method=explicit";
+    let head = format!(
+        "POST /v1/track?{settings} HTTP/1.1\r\nHost: test\r\nContent-Type: text/csv\r\nContent-Length: 1000000000\r\n\r\ntime_s,slip\n"
+    );
+    stream.write_all(head.as_bytes()).expect("sent");
+    let rows = "1,0.1\n".repeat(1000);
+    std::thread::sleep(Duration::from_millis(200));
+    let (before, start) = (memory(), Instant::now());
+    // Answers are twenty times as long as the question: what the sockets hold is full long before this ends.
+    while start.elapsed() < Duration::from_secs(4) && stream.write_all(rows.as_bytes()).is_ok() {}
+    std::thread::sleep(Duration::from_millis(500));
+    let growth = memory().saturating_sub(before);
+    assert!(growth < 8 << 10, "memory grew by {growth} kB");
+}

@@ -2,8 +2,9 @@
 
 use divan::{Bencher, black_box};
 use terramechanics::{
-    Bekker, Contact, ForceModel, JanosiHanamoto, Method, Operation, PeakDepth, PressureSinkage, ShearLaw, Sinkage,
-    SinkageExponent, Slip, SlipSweep, Soil, SoilParams, StressProfile, Wheel, WheelOnSoil, WheelParams,
+    Bekker, Contact, ForceModel, JanosiHanamoto, Method, Operation, PeakDepth, PressureSinkage, Sample, SampleMotion, ShearLaw,
+    Sinkage, SinkageExponent, Slip, SlipSinkage, SlipSweep, Soil, SoilParams, StressProfile, Thresholds, Tracker, Velocities,
+    Wheel, WheelOnSoil, WheelParams,
 };
 
 fn main() {
@@ -97,4 +98,22 @@ fn profile_201(bencher: Bencher<'_, '_>) {
     let rolling = system.rolling(slip(0.2)).expect("a rolling wheel");
     let patch = rolling.contact(0.02).expect("a contact");
     bencher.bench_local(|| StressProfile::of(black_box(&patch), 201, PeakDepth::Geometric));
+}
+
+/// A thousand samples of telemetry.
+#[divan::bench(args = METHODS)]
+fn track_1000_static_sinkage(bencher: Bencher<'_, '_>, method: &str) {
+    let sinkage = Sinkage::FromStatic { static_sinkage: 0.02, law: SlipSinkage::Lyasko };
+    let samples: Vec<Sample> = (0..1000)
+        .map(|i| {
+            let velocities = Velocities { forward: 0.1 + 0.05 * (f64::from(i) / 70.0).sin(), angular: 0.9 };
+            Sample { time: f64::from(i), motion: SampleMotion::Velocities(velocities), sinkage, measured: None }
+        })
+        .collect();
+    let tracker = Tracker::new(operation(method, sinkage), Thresholds::default()).expect("thresholds");
+    bencher.with_inputs(|| tracker.clone()).bench_local_refs(|tracker| {
+        for sample in &samples {
+            black_box(tracker.push(black_box(sample)));
+        }
+    });
 }

@@ -38,6 +38,9 @@ pub enum Parameter {
     Torque,
     LambdaA,
     LambdaB,
+    StallSlip,
+    StallTime,
+    EntrapmentShare,
 }
 
 /// What a value has to satisfy.

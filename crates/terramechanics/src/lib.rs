@@ -12,13 +12,15 @@
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
 //!
 //! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
-//! [`Coupled`] finds torque and pull from a load that is measured, and [`Resistances`] are the classical estimates for a load.
+//! [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical estimates for a load, and a
+//! [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 
 mod braking;
 mod caution;
 mod contact;
 mod coupled;
 mod error;
+mod events;
 mod forces;
 mod load;
 mod numerics;
@@ -33,6 +35,7 @@ mod soil;
 mod stress;
 mod sweep;
 mod towed;
+mod track;
 mod wheel;
 
 pub use braking::Braking;
@@ -40,6 +43,7 @@ pub use caution::{Caution, CautionKind, Outcome, TestedRange, cautions, system_c
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
 pub use coupled::{Coupled, CoupledForces};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
+pub use events::{Event, EventKind, Thresholds};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
 pub use load::CarriedLoad;
 pub use operation::{OperatingPoint, Operation, Sinkage};
@@ -53,4 +57,5 @@ pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
 pub use sweep::{Gap, SlipSweep};
 pub use towed::Towed;
+pub use track::{CautionTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};

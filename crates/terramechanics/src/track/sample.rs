@@ -1,0 +1,141 @@
+//! What is measured at one time, and what follows from it.
+
+use crate::operation::Sinkage;
+use crate::slip::Velocities;
+
+/// How the motion of a sample is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SampleMotion {
+    /// By the slip ratio (–); there is no power then.
+    Slip(f64),
+    /// By both velocities.
+    Velocities(Velocities),
+}
+
+/// What was measured at one time; a NaN is a value that is missing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Time (s).
+    pub time: f64,
+    /// The motion.
+    pub motion: SampleMotion,
+    /// The sinkage: as measured, or how it is found.
+    pub sinkage: Sinkage,
+    /// Torque (N·m) and normal load (N), where both are measured: then Ding's coupled form gives the pull as well.
+    pub measured: Option<Measured>,
+}
+
+/// Torque and load of a sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Torque T (N·m), positive when it turns the wheel forward.
+    pub torque: f64,
+    /// Normal load W (N).
+    pub normal_load: f64,
+}
+
+/// Whether a sample has a result, and if not, why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// It has.
+    Ok,
+    /// It has, and the wheel is at rest.
+    Static,
+    /// A value is missing or no number.
+    MissingValue,
+    /// A value is infinite, or a load or sinkage is not positive.
+    OutOfRange,
+    /// The slip is not from −1 to 1.
+    SlipOutOfRange,
+    /// The wheel moves against its own rotation.
+    OppositeRotation,
+    /// The time is before that of the sample before.
+    TimeBackwards,
+    /// The model has no answer there.
+    NoSolution,
+}
+
+impl Status {
+    /// All that can be.
+    pub const ALL: [Self; 8] = [
+        Self::Ok,
+        Self::Static,
+        Self::MissingValue,
+        Self::OutOfRange,
+        Self::SlipOutOfRange,
+        Self::OppositeRotation,
+        Self::TimeBackwards,
+        Self::NoSolution,
+    ];
+
+    /// A name for programs.
+    #[must_use]
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::Static => "static",
+            Self::MissingValue => "missing_value",
+            Self::OutOfRange => "out_of_range",
+            Self::SlipOutOfRange => "slip_out_of_range",
+            Self::OppositeRotation => "opposite_rotation",
+            Self::TimeBackwards => "time_backwards",
+            Self::NoSolution => "no_solution",
+        }
+    }
+
+    /// Whether the sample has a result.
+    #[must_use]
+    pub fn is_good(self) -> bool {
+        matches!(self, Self::Ok | Self::Static)
+    }
+}
+
+/// What follows from a sample; NaN where there is no value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrackRow {
+    /// Time (s).
+    pub time: f64,
+    /// Slip s (–); known as well where only the forces have no solution.
+    pub slip: f64,
+    /// Sinkage z (m).
+    pub sinkage: f64,
+    /// Longitudinal force F_x (N).
+    pub longitudinal: f64,
+    /// Normal force F_z (N).
+    pub normal: f64,
+    /// Torque T (N·m).
+    pub torque: f64,
+    /// Drawbar coefficient F_x/F_z (–).
+    pub drawbar_coefficient: f64,
+    /// Tractive efficiency (–).
+    pub tractive_efficiency: f64,
+    /// Mechanical power T ω (W).
+    pub power: f64,
+    /// Energy since the first sample (J).
+    pub energy: f64,
+    /// Longitudinal force (N) by Ding's coupled form from the measured torque and load.
+    pub longitudinal_coupled: f64,
+    /// Whether there is a result.
+    pub status: Status,
+}
+
+impl TrackRow {
+    /// The row of a sample without a result.
+    pub(super) fn bad(time: f64, slip: f64, status: Status) -> Self {
+        let none = f64::NAN;
+        Self {
+            time,
+            slip,
+            sinkage: none,
+            longitudinal: none,
+            normal: none,
+            torque: none,
+            drawbar_coefficient: none,
+            tractive_efficiency: none,
+            power: none,
+            energy: none,
+            longitudinal_coupled: none,
+            status,
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! What a run remembers of its samples, in a size that does not grow with them.
+
+use crate::caution::Caution;
+use crate::error::Error;
+
+/// Samples of one status.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tally {
+    /// How many there were.
+    pub count: u64,
+    /// The first of them, counted from 0.
+    pub first_row: u64,
+    /// Why the model refused the first, where it did.
+    pub error: Option<Error>,
+}
+
+/// Samples with a caution of one kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CautionTally {
+    /// The caution of the sample that is furthest out.
+    pub worst: Caution,
+    /// How many there were.
+    pub count: u64,
+    /// The first of them, counted from 0.
+    pub first_row: u64,
+}
+
+impl Tally {
+    /// Counts the sample of that row.
+    pub(super) fn count(tally: &mut Option<Self>, row: u64, error: Option<Error>) {
+        match tally {
+            Some(tally) => tally.count += 1,
+            None => *tally = Some(Self { count: 1, first_row: row, error }),
+        }
+    }
+}
+
+impl CautionTally {
+    /// Counts the cautions of a sample, and keeps of each kind the one that is furthest out.
+    pub(super) fn count(tallies: &mut Vec<Self>, row: u64, cautions: impl Iterator<Item = Caution>) {
+        for caution in cautions {
+            match tallies.iter_mut().find(|known| std::ptr::eq(known.worst.kind, caution.kind)) {
+                Some(known) => {
+                    known.count += 1;
+                    if caution.excess() > known.worst.excess() {
+                        known.worst = caution;
+                    }
+                }
+                None => tallies.push(Self { worst: caution, count: 1, first_row: row }),
+            }
+        }
+    }
+}
+
+/// A sum that keeps the digits of small terms after millions of them (Neumaier 1974).
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct CompensatedSum {
+    sum: f64,
+    lost: f64,
+}
+
+impl CompensatedSum {
+    pub(super) fn add(&mut self, term: f64) {
+        let sum = self.sum + term;
+        self.lost += if self.sum.abs() >= term.abs() { (self.sum - sum) + term } else { (term - sum) + self.sum };
+        self.sum = sum;
+    }
+
+    pub(super) fn value(self) -> f64 {
+        self.sum + self.lost
+    }
+}

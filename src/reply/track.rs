@@ -1,0 +1,197 @@
+//! The answer of `/v1/track`.
+
+use serde::Serialize;
+use terramechanics::{CautionTally, Event, Status, Tally, TrackRow, Tracker};
+use utoipa::ToSchema;
+
+use super::{Column, Warning};
+use crate::request::TrackPlan;
+
+/// A wheel over time.
+#[derive(Debug, Default, Serialize, ToSchema)]
+#[schema(as = Track)]
+pub(crate) struct TrackReply {
+    columns: TrackColumns,
+    /// When the wheel was stuck; the first thousand times.
+    events: Vec<EventReply>,
+    warnings: Vec<Warning>,
+}
+
+/// Columns of one length; null in all but the time where a sample has no result, for which `status` has the reason.
+#[derive(Debug, Default, Serialize, ToSchema)]
+#[schema(as = TrackedColumns)]
+struct TrackColumns {
+    /// Time (s), as it was sent.
+    #[schema(value_type = Vec<Option<f64>>)]
+    time_s: Column,
+    /// Slip ratio s (–); told as well where only the forces have no solution.
+    #[schema(value_type = Vec<Option<f64>>)]
+    slip: Column,
+    /// Sinkage z (m).
+    #[schema(value_type = Vec<Option<f64>>)]
+    sinkage_m: Column,
+    /// Longitudinal force F_x, the drawbar pull (N).
+    #[schema(value_type = Vec<Option<f64>>)]
+    longitudinal_force_n: Column,
+    /// Normal force F_z (N).
+    #[schema(value_type = Vec<Option<f64>>)]
+    normal_force_n: Column,
+    /// Torque T about the axle (N·m).
+    #[schema(value_type = Vec<Option<f64>>)]
+    torque_n_m: Column,
+    /// F_x/F_z (–).
+    #[schema(value_type = Vec<Option<f64>>)]
+    drawbar_coefficient: Column,
+    /// F_x v/(T ω) (–), while the wheel drives.
+    #[schema(value_type = Vec<Option<f64>>)]
+    tractive_efficiency: Column,
+    /// Mechanical power T ω (W); null where only the slip is known.
+    #[schema(value_type = Vec<Option<f64>>)]
+    power_w: Column,
+    /// Energy since the first sample (J), by the trapezoidal rule from one good sample to the next.
+    #[schema(value_type = Vec<Option<f64>>)]
+    energy_j: Column,
+    /// ok; static: at rest, with the numbers of the rolling limit; or why there is no result: missing_value, out_of_range, slip_out_of_range, opposite_rotation, time_backwards, no_solution.
+    status: Vec<&'static str>,
+    /// With a measured torque: F_x by Ding's coupled form from that torque and the load (N).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
+    longitudinal_force_coupled_n: Option<Column>,
+}
+
+impl TrackReply {
+    /// A reply without rows, with a column for the coupled form or without.
+    pub(crate) fn new(coupled: bool, rows: usize) -> Self {
+        let mut reply = Self::default();
+        reply.columns.longitudinal_force_coupled_n = coupled.then(Column::default);
+        for column in reply.columns.numbers() {
+            column.0.reserve(rows);
+        }
+        reply
+    }
+
+    pub(crate) fn push(&mut self, row: &TrackRow) {
+        let columns = &mut self.columns;
+        for (column, value) in columns.numbers().into_iter().zip(crate::series::numbers(row)) {
+            column.0.push(value);
+        }
+        columns.status.push(row.status.code());
+        if let Some(coupled) = &mut columns.longitudinal_force_coupled_n {
+            coupled.0.push(row.longitudinal_coupled);
+        }
+    }
+
+    pub(crate) fn end(&mut self, findings: Findings) {
+        self.events = findings.events;
+        self.warnings = findings.warnings;
+    }
+}
+
+impl TrackColumns {
+    /// In the order of [`crate::series::NUMBERS`].
+    fn numbers(&mut self) -> [&mut Column; crate::series::NUMBERS.len()] {
+        [
+            &mut self.time_s,
+            &mut self.slip,
+            &mut self.sinkage_m,
+            &mut self.longitudinal_force_n,
+            &mut self.normal_force_n,
+            &mut self.torque_n_m,
+            &mut self.drawbar_coefficient,
+            &mut self.tractive_efficiency,
+            &mut self.power_w,
+            &mut self.energy_j,
+        ]
+    }
+}
+
+/// A time in which the wheel was stuck.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = TrackEvent)]
+pub(crate) struct EventReply {
+    /// `stall`: the slip stayed high; `entrapment`: the wheel sank deep.
+    #[schema(example = "stall")]
+    pub(crate) code: &'static str,
+    /// Index of the sample, from 0, at which it began.
+    pub(crate) row: u64,
+    /// Its time (s).
+    pub(crate) from_s: f64,
+    /// Time of the last sample at which it held (s).
+    pub(crate) to_s: f64,
+}
+
+impl From<&Event> for EventReply {
+    fn from(event: &Event) -> Self {
+        Self { code: event.kind.code(), row: event.row, from_s: event.from, to_s: event.to }
+    }
+}
+
+/// What a run says of itself when it is over.
+#[derive(Debug)]
+pub(crate) struct Findings {
+    pub(crate) rows: u64,
+    pub(crate) events: Vec<EventReply>,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+impl Findings {
+    /// The findings of a run that has ended.
+    pub(crate) fn of(tracker: &Tracker, plan: &TrackPlan) -> Self {
+        let mut warnings = Vec::new();
+        for status in Status::ALL.into_iter().filter(|status| !status.is_good()) {
+            warnings.extend(tracker.tally(status).map(|tally| without_result(status, tally)));
+        }
+        if plan.lacks_load() {
+            warnings.push(Warning::new("not_coupled", "a torque is measured but no load is known: give `normal_load_n`"));
+        }
+        warnings.extend(tracker.not_coupled().map(|tally| {
+            let samples = counted(tally.count, tally.first_row);
+            Warning::new("not_coupled", format!("no pull by the coupled form for {samples}: {}", reason(tally)))
+        }));
+        let good: u64 = Status::ALL
+            .iter()
+            .filter(|status| status.is_good())
+            .filter_map(|&status| tracker.tally(status))
+            .map(|tally| tally.count)
+            .sum();
+        warnings.extend(tracker.cautions().iter().map(|tally| caution(tally, good)));
+        if tracker.has_moved_backward() {
+            warnings.push(Warning::mirrored());
+        }
+        let (events, left_out) = tracker.events();
+        if left_out > 0 {
+            warnings.push(Warning::new("events_left_out", format!("{left_out} more events are not listed")));
+        }
+        Self { rows: tracker.rows(), events: events.iter().map(EventReply::from).collect(), warnings }
+    }
+}
+
+fn without_result(status: Status, tally: &Tally) -> Warning {
+    let why = match status {
+        Status::MissingValue => "a value is missing".to_owned(),
+        Status::OutOfRange => "a value is infinite, or a load or sinkage is not greater than 0".to_owned(),
+        Status::TimeBackwards => "the time is before that of the sample before; no energy is added there".to_owned(),
+        _ => reason(tally),
+    };
+    Warning::new(status.code(), format!("no result for {}: {why}", counted(tally.count, tally.first_row)))
+}
+
+fn caution(tally: &CautionTally, good: u64) -> Warning {
+    let warning = Warning::from(tally.worst);
+    if tally.count == good {
+        return warning;
+    }
+    let detail = format!("concerns {}; furthest out: {}", counted(tally.count, tally.first_row), warning.detail);
+    Warning { detail, ..warning }
+}
+
+fn counted(count: u64, first_row: u64) -> String {
+    match count {
+        1 => format!("1 sample, at index {first_row}"),
+        _ => format!("{count} samples, the first at index {first_row}"),
+    }
+}
+
+fn reason(tally: &Tally) -> String {
+    tally.error.map_or_else(String::new, |error| error.to_string())
+}

@@ -1,0 +1,177 @@
+//! A run over a series: samples in, rows out, in slices that are short enough to share the machine.
+
+use std::cell::RefCell;
+
+use axum::body::Bytes;
+use terramechanics::{Operation, Tracker};
+
+use super::{Column, Ending, NdjsonReader, Read, Reader, RowFormat, Table};
+use crate::compute::Cost;
+use crate::extract::SeriesForm;
+use crate::problem::Problem;
+use crate::reply::{Findings, TrackReply};
+use crate::request::{Samples, TrackPlan, TrackQuery, TrackSettings};
+use crate::stream::{PIECE, Progress, Work};
+use crate::wire::{FieldFault, Scope};
+
+/// Rows that an answer in columns may have; there is no limit to those of the other forms.
+const MOST_IN_COLUMNS: u64 = 100_000;
+
+/// A run.
+#[derive(Debug)]
+pub(crate) struct Run {
+    source: Source,
+    settings: TrackSettings,
+    form: SeriesForm,
+    /// Once the columns are known.
+    started: Option<Started>,
+}
+
+#[derive(Debug)]
+enum Source {
+    Reader(Reader),
+    Memory { samples: Samples, next: usize },
+}
+
+#[derive(Debug)]
+struct Started {
+    plan: TrackPlan,
+    tracker: Tracker,
+    sink: Sink,
+    /// Rows of a slice.
+    rows: usize,
+}
+
+#[derive(Debug)]
+enum Sink {
+    Rows(Table),
+    Columns(Box<TrackReply>),
+}
+
+impl Run {
+    /// Over a body in the form `body`, which is one of the streamed ones.
+    pub(crate) fn over_stream(settings: TrackSettings, body: SeriesForm, form: SeriesForm) -> Self {
+        let reader = if body == SeriesForm::Csv { Reader::Csv(Box::default()) } else { Reader::Ndjson(NdjsonReader::default()) };
+        Self { source: Source::Reader(reader), settings, form, started: None }
+    }
+
+    /// Over samples in memory.
+    pub(crate) fn over_samples(query: TrackQuery, form: SeriesForm) -> Self {
+        let TrackQuery { settings, samples } = query;
+        Self { source: Source::Memory { samples, next: 0 }, settings, form, started: None }
+    }
+
+    /// Starts once the columns are known, with what stands before the first row.
+    fn start(&mut self, output: &mut Vec<u8>) -> Result<(), Problem> {
+        if self.started.is_some() {
+            return Ok(());
+        }
+        let (layout, rows) = match &self.source {
+            Source::Reader(reader) => (reader.layout(), 0),
+            Source::Memory { samples, .. } => (Some(samples.layout), samples.count),
+        };
+        let Some(layout) = layout else { return Ok(()) };
+        let faults = RefCell::default();
+        let Some(plan) = self.settings.plan(layout, &Scope::root(&faults)) else {
+            return Err(Problem::Invalid(faults.into_inner()));
+        };
+        let coupled = plan.is_coupled();
+        let sink = match self.form {
+            SeriesForm::Json => Sink::Columns(Box::new(TrackReply::new(coupled, rows))),
+            SeriesForm::Csv => Sink::Rows(Table { format: RowFormat::Csv, coupled }),
+            SeriesForm::Ndjson => Sink::Rows(Table { format: RowFormat::Ndjson, coupled }),
+        };
+        if let Sink::Rows(table) = &sink {
+            table.head(output);
+        }
+        let typical = Operation { sinkage: plan.sample(&[1.0; Column::COUNT]).sinkage, ..self.settings.operation };
+        let rows = Cost::points_in_a_slice(&typical);
+        self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), sink, rows });
+        Ok(())
+    }
+
+    fn read(&mut self, input: &mut &[u8], last: bool) -> Result<Read, Problem> {
+        match &mut self.source {
+            Source::Reader(reader) => reader.next(input, last).map_err(Problem::Unreadable),
+            Source::Memory { samples, next } => {
+                *next += 1;
+                Ok(if *next <= samples.count { Read::Row(samples.cells(*next - 1)) } else { Read::End })
+            }
+        }
+    }
+
+    fn rows(&mut self, input: &mut &[u8], last: bool, output: &mut Vec<u8>) -> Result<Progress, Problem> {
+        let mut rows = 0;
+        loop {
+            if output.len() >= PIECE || self.started.as_ref().is_some_and(|started| rows >= started.rows) {
+                return Ok(Progress::Paused);
+            }
+            let read = self.read(input, last)?;
+            self.start(output)?;
+            let Some(started) = &mut self.started else { return Ok(Progress::NeedsInput) };
+            match read {
+                Read::Row(cells) => started.row(&cells, output)?,
+                Read::More => return Ok(Progress::NeedsInput),
+                Read::End => return started.end(output).map(|()| Progress::Complete),
+            }
+            rows += 1;
+        }
+    }
+}
+
+impl Started {
+    fn row(&mut self, cells: &super::Cells, output: &mut Vec<u8>) -> Result<(), Problem> {
+        let row = self.tracker.push(&self.plan.sample(cells));
+        match &mut self.sink {
+            Sink::Rows(table) => table.row(&row, output),
+            Sink::Columns(_) if self.tracker.rows() > MOST_IN_COLUMNS => {
+                let detail =
+                    format!("an answer in columns has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson");
+                return Err(Problem::Invalid(vec![FieldFault { pointer: String::new(), detail }]));
+            }
+            Sink::Columns(reply) => reply.push(&row),
+        }
+        Ok(())
+    }
+
+    fn end(&mut self, output: &mut Vec<u8>) -> Result<(), Problem> {
+        self.tracker.finish();
+        let findings = Findings::of(&self.tracker, &self.plan);
+        match &mut self.sink {
+            Sink::Rows(table) => {
+                let Findings { rows, events, warnings } = &findings;
+                table.end(&Ending { rows: *rows, warnings, events }, output);
+                Ok(())
+            }
+            Sink::Columns(reply) => {
+                reply.end(findings);
+                serde_json::to_writer(output, reply).map_err(|error| {
+                    tracing::error!(%error, "a reply could not be written");
+                    Problem::Internal
+                })
+            }
+        }
+    }
+}
+
+impl Work for Run {
+    fn media_type(&self) -> &'static str {
+        match self.form {
+            SeriesForm::Csv => "text/csv; charset=utf-8; header=present",
+            form => form.media_types()[0],
+        }
+    }
+
+    fn slice(&mut self, input: &mut Bytes, last: bool, output: &mut Vec<u8>) -> Result<Progress, Problem> {
+        let mut left: &[u8] = input;
+        let progress = self.rows(&mut left, last, output);
+        *input = input.slice(input.len() - left.len()..);
+        progress
+    }
+
+    fn broken(&self, problem: &Problem, output: &mut Vec<u8>) {
+        if let Some(Started { sink: Sink::Rows(table), .. }) = &self.started {
+            table.broken(&problem.detail(), output);
+        }
+    }
+}
