@@ -18,7 +18,7 @@ pub(crate) use entry::Entry;
 pub(crate) use faults::{FieldFault, Scope};
 pub(crate) use field::{Field, Wire, read};
 pub(crate) use number::{Lambda, LambdaSpec, Number};
-pub(crate) use object::{Nested, Object, Oddity, Variant, object_schema, read_name, tagged_schema, wire_object};
+pub(crate) use object::{Nested, Object, Oddity, Variant, named_shapes, object_schema, read_name, tagged_schema, wire_object};
 pub(crate) use query::Query;
 pub(crate) use series::{Each, EachSpec, Names, NamesSpec, Pair, PairSpec, Series, SeriesSpec};
 

@@ -93,11 +93,28 @@ impl<T: ToSchema + Object> Spec for Nested<T> {
     }
 
     fn parameters(&self, name: &str, found: &mut Vec<Parameter>) {
+        let outside = found.len();
         T::parameters(&format!("{name}."), found);
+        if !self.required {
+            found[outside..].iter_mut().for_each(|parameter| default_in_words(parameter, name));
+        }
     }
 
     fn is_required(&self) -> bool {
         self.required
+    }
+}
+
+/// Says in words what holds for a field once the object `around` is there. As the default of a parameter it would be wrong:
+/// a client that sends it has named the object, and is then asked for the rest of it.
+fn default_in_words(parameter: &mut Parameter, around: &str) {
+    let default = match &mut parameter.schema {
+        Some(RefOr::T(Schema::Object(object))) => object.default.take(),
+        Some(RefOr::T(Schema::OneOf(one_of))) => one_of.default.take(),
+        _ => None,
+    };
+    if let (Some(default), Some(description)) = (default, &mut parameter.description) {
+        description.push_str(&format!(" With the rest of `{around}`, {default} unless given."));
     }
 }
 
@@ -149,6 +166,7 @@ pub(crate) fn tagged_schema(
     for variant in variants {
         let name = ObjectBuilder::new().schema_type(Type::String).enum_values(Some([variant.name]));
         let mut object = ObjectBuilder::new()
+            .title(Some(variant.name))
             .additional_properties(Some(AdditionalProperties::FreeForm(false)))
             .property(tag, name)
             .required(tag);
@@ -161,6 +179,19 @@ pub(crate) fn tagged_schema(
         any = any.item(object);
     }
     any.into()
+}
+
+/// Puts the name of an object before the titles of its shapes, so that no two shapes have the same. Generated clients name a
+/// shape by its title; without one, by its place in the list.
+pub(crate) fn named_shapes(name: &str, mut schema: RefOr<Schema>) -> RefOr<Schema> {
+    if let RefOr::T(Schema::OneOf(any)) = &mut schema {
+        for shape in &mut any.items {
+            if let RefOr::T(Schema::Object(utoipa::openapi::Object { title: Some(title), .. })) = shape {
+                title.insert_str(0, &format!("{name} "));
+            }
+        }
+    }
+    schema
 }
 
 /// The next name of a map: its index among `known`, or the name itself.
@@ -277,7 +308,8 @@ macro_rules! wire_object {
                 let plain: Builder = $crate::wire::object_schema;
                 let builder = None$(.or(Some($schema as Builder)))?.unwrap_or(plain);
                 let empty = Self::default();
-                builder($doc.trim(), &[$((stringify!($field), empty.$field().spec)),+])
+                let schema = builder($doc.trim(), &[$((stringify!($field), empty.$field().spec)),+]);
+                $crate::wire::named_shapes($title, schema)
             }
         }
 

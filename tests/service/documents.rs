@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use serde_json::Value;
+use serde_json::{Map, Value, json};
 
-use crate::asking::get;
+use crate::asking::{get, post, query_of, with};
 
 /// The committed document.
 const COMMITTED: &str = include_str!("../../openapi/openapi.json");
@@ -143,4 +143,51 @@ fn every_operation_says_what_it_does_and_how_it_fails() {
             }
         }
     }
+}
+
+/// Generated clients send the defaults that the document names, whether their user asked for them or not.
+#[test]
+fn a_default_that_is_sent_changes_nothing() {
+    let document = document();
+    let named_preset = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}});
+    let mut sent = 0;
+    for (path, own) in [
+        ("/v1/forces", json!({"slip": 0.2, "sinkage_m": 0.02})),
+        ("/v1/stress-profile", json!({"slip": 0.2, "sinkage_m": 0.02})),
+        ("/v1/slip-sweep", json!({"slip": {"from": -0.5, "to": 1, "points": 4}, "normal_load_n": 80})),
+    ] {
+        let body = with(&named_preset, own);
+        let parameters = document["paths"][path]["get"]["parameters"].as_array().expect("parameters");
+        let defaults: Vec<String> = parameters
+            .iter()
+            .filter_map(|parameter| Some((parameter["name"].as_str()?, parameter["schema"].get("default")?)))
+            .map(|(name, default)| format!("&{name}={}", default.as_str().map_or(default.to_string(), str::to_owned)))
+            .collect();
+        let query = format!("{path}?{}", query_of(&body));
+        assert_eq!(get(&format!("{query}{}", defaults.concat())).ok(), get(&query).ok(), "{path} {defaults:?}");
+
+        let reference = document["paths"][path]["post"]["requestBody"]["content"]["application/json"]["schema"]["$ref"].as_str();
+        let schema = document.pointer(reference.expect("a named schema").trim_start_matches('#')).expect("the schema");
+        let fields = schema["properties"].as_object().expect("properties");
+        let defaults: Map<String, Value> =
+            fields.iter().filter_map(|(name, field)| Some((name.clone(), field.get("default")?.clone()))).collect();
+        assert_eq!(post(path, &with(&body, defaults.clone().into())).ok(), post(path, &body).ok(), "{path} {defaults:?}");
+        sent += defaults.len();
+    }
+    assert!(sent > 10, "{sent} defaults");
+}
+
+/// Generated clients name the shapes of a tagged object by their titles.
+#[test]
+fn the_shapes_of_an_object_have_titles_of_their_own() {
+    let document = document();
+    let mut titles = BTreeSet::new();
+    for (name, schema) in document["components"]["schemas"].as_object().expect("schemas") {
+        let shapes = schema["oneOf"].as_array().into_iter().flatten().filter(|shape| shape["type"] == "object");
+        for shape in shapes {
+            let title = shape["title"].as_str().unwrap_or_else(|| panic!("a shape of {name} has no title"));
+            assert!(titles.insert(title.to_owned()), "{title} is there twice");
+        }
+    }
+    assert!(titles.contains("PressureSinkage bekker"), "{titles:?}");
 }

@@ -70,6 +70,41 @@ fn the_classical_estimates_are_those_quoted() {
     assert!(README.contains("28.34 N of compaction and 90.4 N of bulldozing"));
 }
 
+/// Each with the block of the README that shows its request, by language and place among the blocks of that language.
+const CLIENTS: [(&str, &str, usize); 6] = [
+    (include_str!("../../clients/curve_pandas.py"), "python", 0),
+    (include_str!("../../clients/forces_requests.py"), "python", 1),
+    (include_str!("../../clients/generated_client.py"), "python", 2),
+    (include_str!("../../clients/curve.m"), "matlab", 0),
+    (include_str!("../../clients/forces.mjs"), "js", 0),
+    (include_str!("../../clients/curve.sh"), "sh", 2),
+];
+
+#[test]
+fn what_is_shown_of_a_client_stands_in_its_program() {
+    for (program, language, place) in CLIENTS {
+        let block = blocks(language)[place];
+        assert!(!block.is_empty() && program.contains(&format!("\n{block}")), "no program has: {block}");
+    }
+    for language in ["python", "matlab", "js"] {
+        let shown = CLIENTS.iter().filter(|client| client.1 == language).count();
+        assert_eq!(blocks(language).len(), shown, "{language}");
+    }
+}
+
+#[test]
+fn the_commands_that_generate_a_client_are_those_of_its_program() {
+    for (program, command) in [
+        (CLIENTS[2].0, "openapi-python-client generate --meta none --url http://127.0.0.1:8080/openapi.json"),
+        (
+            CLIENTS[4].0,
+            "openapi-typescript http://127.0.0.1:8080/openapi.json --default-non-nullable=false --output terramechanics.d.ts",
+        ),
+    ] {
+        assert!(README.contains(&format!("`{command}`")) && program.contains(command), "{command}");
+    }
+}
+
 #[test]
 fn both_commands_are_named() {
     assert!(README.contains("cargo run --release") && README.contains("cargo test --workspace"));
