@@ -48,6 +48,7 @@ pub(crate) fn soil_ids() -> Vec<&'static str> {
 
 #[cfg(test)]
 mod tests {
+    use super::record::SOIL_FIELDS;
     use super::*;
     use crate::request::LAWS;
     use std::collections::BTreeSet;
@@ -83,8 +84,8 @@ mod tests {
         for record in soils() {
             let law = LAWS.iter().find(|law| law.name == record.law).expect("a law");
             for name in record.values.keys() {
-                let strength = ["cohesion_pa", "friction_angle_rad", "shear_modulus_m"].contains(&name.as_str());
-                assert!(strength || law.fields().any(|field| field == name), "{}: {name}", record.id);
+                let own = SOIL_FIELDS.contains(&name.as_str());
+                assert!(own || law.fields().any(|field| field == name), "{}: {name}", record.id);
             }
         }
     }
@@ -119,6 +120,8 @@ mod tests {
                     .shear()
                     .unwrap_or_else(|| ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: value("shear_modulus_m") })),
                 pressure_sinkage: record.pressure_sinkage().expect("a law"),
+                unit_weight: record.number("unit_weight_n_m3"),
+                lateral_shear_modulus: record.number("lateral_shear_modulus_m"),
             })
             .expect("a soil");
             let contact = record.contact().unwrap_or(terramechanics::Contact::MIDPOINT);

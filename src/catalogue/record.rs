@@ -153,7 +153,7 @@ pub(crate) struct SoilView<'a> {
 #[schema(as = CatalogueSoilFields)]
 struct SoilBody<'a> {
     #[serde(flatten)]
-    strength: BTreeMap<&'a str, f64>,
+    own: BTreeMap<&'a str, f64>,
     pressure_sinkage: TaggedBody<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     shear: Option<TaggedBody<'a>>,
@@ -171,7 +171,9 @@ struct TaggedBody<'a> {
     parameters: BTreeMap<&'a str, f64>,
 }
 
-const STRENGTH: [&str; 3] = ["cohesion_pa", "friction_angle_rad", "shear_modulus_m"];
+const SOIL_REQUIRED: [&str; 3] = ["cohesion_pa", "friction_angle_rad", "shear_modulus_m"];
+pub(super) const SOIL_FIELDS: [&str; 5] =
+    ["cohesion_pa", "friction_angle_rad", "shear_modulus_m", "lateral_shear_modulus_m", "unit_weight_n_m3"];
 const WHEEL_FIELDS: [&str; 4] = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
 const WHEEL_REQUIRED: [&str; 2] = ["radius_m", "width_m"];
 
@@ -220,7 +222,8 @@ impl WheelRecord {
 }
 
 impl SoilRecord {
-    fn number(&self, name: &str) -> Option<f64> {
+    /// The value of that name.
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
         self.values.get(name).map(|value| value.value)
     }
 
@@ -271,7 +274,7 @@ impl SoilRecord {
 
     /// Required fields that are not known.
     pub(crate) fn missing(&self) -> Vec<&'static str> {
-        let mut missing = absent(&self.values, STRENGTH);
+        let mut missing = absent(&self.values, SOIL_REQUIRED);
         missing.retain(|name| *name != "shear_modulus_m" || self.shear().is_none());
         if self.pressure_sinkage().is_none() {
             missing.push("pressure_sinkage");
@@ -299,7 +302,7 @@ impl SoilRecord {
             grade: self.grade,
             note: self.note.as_deref(),
             soil: SoilBody {
-                strength: numbers(&self.values, &STRENGTH),
+                own: numbers(&self.values, &SOIL_FIELDS),
                 pressure_sinkage: TaggedBody {
                     law: Some(&self.law),
                     rule: None,

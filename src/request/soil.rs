@@ -13,13 +13,15 @@ use crate::catalogue::{self, SoilRecord};
 use crate::wire::{Choice, Entry, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 wire_object! {
-    /// A soil. Without `preset`, the other fields are required; with it, any field beside it overrides the catalogue's.
+    /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
     SoilDto as "Soil" {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
         friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above(),
         shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
+        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); the shear law's own length unless given or in the catalogue.", 1e-6, 10.0),
+        unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.", 1.0, 1e6),
         shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
     }
 }
@@ -34,7 +36,7 @@ impl SoilDto {
             if entry.is_present() {
                 return entry.checked(place);
             }
-            let published = preset.and_then(|record| record.values.get(entry.name)).map(|value| value.value);
+            let published = preset.and_then(|record| record.number(entry.name));
             if published.is_none() && !unknown_preset {
                 missing(place, entry.name, preset.map(|record| record.id.as_str()));
             }
@@ -43,6 +45,11 @@ impl SoilDto {
         let cohesion = value(self.cohesion_pa());
         let friction_angle = value(self.friction_angle_rad());
         let shear = self.shear_law(place, preset, || value(self.shear_modulus_m()));
+        let optional = |entry: Entry<'_, f64>| {
+            if entry.is_present() { entry.checked(place) } else { preset.and_then(|record| record.number(entry.name)) }
+        };
+        let lateral_shear_modulus = optional(self.lateral_shear_modulus_m());
+        let unit_weight = optional(self.unit_weight_n_m3());
         let law = self.pressure_sinkage();
         let pressure_sinkage = if law.is_present() {
             law.given(place).and_then(|dto| dto.check(&place.field(law.name)))
@@ -58,6 +65,8 @@ impl SoilDto {
             friction_angle: friction_angle?,
             shear: shear?,
             pressure_sinkage: pressure_sinkage?,
+            unit_weight,
+            lateral_shear_modulus,
         };
         if unknown_preset {
             return None;

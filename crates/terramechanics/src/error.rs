@@ -15,6 +15,8 @@ pub enum Parameter {
     ShearModulus,
     ResidualRatio,
     PeakDisplacement,
+    LateralShearModulus,
+    SoilUnitWeight,
     CohesiveModulus,
     FrictionalModulus,
     SinkageModulus,

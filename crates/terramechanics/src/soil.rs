@@ -15,6 +15,10 @@ pub struct SoilParams {
     pub shear: ShearLaw,
     /// Pressure–sinkage law.
     pub pressure_sinkage: PressureSinkage,
+    /// Unit weight γ (N/m³), greater than 0, if known.
+    pub unit_weight: Option<f64>,
+    /// Shear deformation modulus K_y across the direction of travel (m), greater than 0, if it differs from the one along it.
+    pub lateral_shear_modulus: Option<f64>,
 }
 
 /// A soil whose parameters make sense.
@@ -43,6 +47,11 @@ impl Soil {
         ];
         checks.extend(params.shear.requirements());
         checks.extend(params.pressure_sinkage.requirements());
+        for (parameter, value) in
+            [(Parameter::SoilUnitWeight, params.unit_weight), (Parameter::LateralShearModulus, params.lateral_shear_modulus)]
+        {
+            checks.extend(value.map(|value| (parameter, value, Requirement::Positive)));
+        }
         InvalidInput::check(&checks)?;
         Ok(Self { params, tan_friction: params.friction_angle.tan(), per_shear_scale: 1.0 / params.shear.scale() })
     }
@@ -71,6 +80,23 @@ impl Soil {
         &self.params.shear
     }
 
+    /// Unit weight γ (N/m³), if known: the soil's own, else the one in Reece's law.
+    #[must_use]
+    pub fn unit_weight(&self) -> Option<f64> {
+        let in_the_law = match self.params.pressure_sinkage {
+            PressureSinkage::Reece(law) => Some(law.unit_weight),
+            _ => None,
+        };
+        self.params.unit_weight.or(in_the_law)
+    }
+
+    /// Shear deformation modulus across the direction of travel (m): its own, else the displacement by which the shear law
+    /// scales (K for Janosi–Hanamoto).
+    #[must_use]
+    pub fn lateral_shear_modulus(&self) -> f64 {
+        self.params.lateral_shear_modulus.unwrap_or_else(|| self.shear_scale())
+    }
+
     /// E (–) at a shear displacement j (m). Eq. (6).
     #[inline]
     pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
@@ -80,5 +106,43 @@ impl Soil {
     /// Displacement (m) over which the shear law changes.
     pub(crate) fn shear_scale(&self) -> f64 {
         self.params.shear.scale()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pressure_sinkage::{Bekker, Reece, SinkageExponent};
+    use crate::shear::{JanosiHanamoto, WongPeak};
+
+    const EXPONENT: SinkageExponent = SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None };
+    const SOIL: SoilParams = SoilParams {
+        cohesion: 0.0,
+        friction_angle: 0.5,
+        shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.01 }),
+        pressure_sinkage: PressureSinkage::Bekker(Bekker { k_c: 0.0, k_phi: 1e6, exponent: EXPONENT }),
+        unit_weight: None,
+        lateral_shear_modulus: None,
+    };
+
+    fn soil(params: SoilParams) -> Soil {
+        Soil::new(params).expect("a soil")
+    }
+
+    #[test]
+    fn the_unit_weight_is_the_soils_own_or_that_of_reeces_law() {
+        let reece = PressureSinkage::Reece(Reece { k_c: 0.0, k_phi: 80.0, unit_weight: 1.5e4, exponent: EXPONENT });
+        assert_eq!(soil(SOIL).unit_weight(), None);
+        assert_eq!(soil(SoilParams { pressure_sinkage: reece, ..SOIL }).unit_weight(), Some(1.5e4));
+        let own = SoilParams { pressure_sinkage: reece, unit_weight: Some(2e4), ..SOIL };
+        assert_eq!(soil(own).unit_weight(), Some(2e4));
+    }
+
+    #[test]
+    fn the_lateral_modulus_is_its_own_or_the_length_of_the_shear_law() {
+        assert_eq!(soil(SOIL).lateral_shear_modulus(), 0.01);
+        let peak = ShearLaw::WongPeak(WongPeak { peak_displacement: 0.02 });
+        assert_eq!(soil(SoilParams { shear: peak, ..SOIL }).lateral_shear_modulus(), 0.02);
+        assert_eq!(soil(SoilParams { lateral_shear_modulus: Some(0.03), ..SOIL }).lateral_shear_modulus(), 0.03);
     }
 }

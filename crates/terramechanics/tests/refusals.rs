@@ -59,6 +59,10 @@ fn parameters_of_the_soil() {
         let both = [Parameter::ResidualRatio, Parameter::PeakDisplacement];
         assert_eq!(at_fault(Soil::new(SoilParams { shear: residual, ..LETTER_SOIL })), both);
     }
+    for value in [0.0, -0.01].into_iter().chain(NOT_FINITE) {
+        let soil = SoilParams { unit_weight: Some(value), lateral_shear_modulus: Some(value), ..LETTER_SOIL };
+        assert_eq!(at_fault(Soil::new(soil)), [Parameter::SoilUnitWeight, Parameter::LateralShearModulus]);
+    }
     for value in NOT_FINITE {
         let law = PressureSinkage::Bekker(Bekker { k_phi: value, ..LETTER_LAW });
         assert_eq!(at_fault(Soil::new(SoilParams { pressure_sinkage: law, ..LETTER_SOIL })), [Parameter::FrictionalModulus]);

@@ -17,6 +17,8 @@ pub(crate) const LETTER_SOIL: SoilParams = SoilParams {
     friction_angle: 0.478,
     shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
     pressure_sinkage: PressureSinkage::Bekker(LETTER_LAW),
+    unit_weight: None,
+    lateral_shear_modulus: None,
 };
 
 pub(crate) fn system(wheel: WheelParams, soil: SoilParams, contact: Contact) -> WheelOnSoil {
@@ -90,6 +92,8 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
             friction_angle: required(soil, "friction_angle_rad"),
             shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: required(soil, "shear_modulus_m") }),
             pressure_sinkage,
+            unit_weight: None,
+            lateral_shear_modulus: None,
         },
         contact(peak_rule, number(rule, "c3", 0.0)),
     )
