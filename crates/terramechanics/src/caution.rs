@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use crate::forces::Forces;
+use crate::forces::{Forces, Method};
+use crate::lateral::Bulldozing;
 use crate::operation::{Operation, Sinkage};
 use crate::slip::Slip;
 
@@ -18,7 +19,17 @@ pub enum Caution {
         /// Estimate of the relative error.
         estimate: f64,
     },
+    /// The soil's unit weight is not known, so the lateral force lacks the pressure on the side wall.
+    BulldozingLeftOut,
+    /// All of the pressure on the side wall is counted, though the wheel moves too little sideways to mobilise it.
+    BulldozingNotMobilised {
+        /// Share of the pressure that is mobilised (–).
+        share: f64,
+    },
 }
+
+/// Share of the pressure on the side wall below which a result says so.
+const LEAST_MOBILISED_SHARE: f64 = 0.5;
 
 /// Estimate of the relative integration error above which a result says so.
 const LARGEST_INTEGRATION_ERROR: f64 = 1e-9;
@@ -30,6 +41,13 @@ impl Caution {
         (estimate > LARGEST_INTEGRATION_ERROR).then_some(Self::IntegrationError { estimate })
     }
 
+    /// The caution that a mobilised share of the pressure on the side wall calls for, if `operation` counts all of it.
+    #[must_use]
+    pub fn of_bulldozing(operation: &Operation, share: f64) -> Option<Self> {
+        let Method::SideSlipping(side) = operation.model.method else { return None };
+        (side.bulldozing == Bulldozing::Full && share < LEAST_MOBILISED_SHARE).then_some(Self::BulldozingNotMobilised { share })
+    }
+
     /// A name for programs.
     #[must_use]
     pub fn code(&self) -> &'static str {
@@ -37,6 +55,8 @@ impl Caution {
             Self::SlipGainExtrapolated => "slip_gain_extrapolated",
             Self::SlipSinkageExtrapolated => "slip_sinkage_extrapolated",
             Self::IntegrationError { .. } => "integration_error",
+            Self::BulldozingLeftOut => "bulldozing_left_out",
+            Self::BulldozingNotMobilised { .. } => "bulldozing_not_mobilised",
         }
     }
 }
@@ -56,6 +76,15 @@ impl fmt::Display for Caution {
             Self::IntegrationError { estimate } => {
                 write!(f, "the integrals may be off by {estimate:.1e} of the scale of the forces")
             }
+            Self::BulldozingLeftOut => {
+                write!(f, "the soil has no unit weight, so the lateral force lacks the soil bulldozed by the side wall")
+            }
+            Self::BulldozingNotMobilised { share } => write!(
+                f,
+                "all of the pressure on the side wall is counted, as published; the sideways displacement under the wheel \
+                 mobilises {:.2} % of it",
+                100.0 * share
+            ),
         }
     }
 }
@@ -65,10 +94,17 @@ pub fn cautions(operation: &Operation, slip: Slip, forces: Option<&Forces>) -> i
     let braking = !slip.is_driving();
     let exponent = operation.system.soil.pressure_sinkage().exponent();
     let estimate = forces.map_or(0.0, |forces| forces.integration_error);
+    let share = forces.and_then(|forces| forces.side).map_or(1.0, |side| side.mobilised_share);
+    let left_out = match operation.model.method {
+        Method::SideSlipping(side) => side.angle.angle() != 0.0 && operation.system.soil.unit_weight().is_none(),
+        _ => false,
+    };
     [
         (braking && exponent.slip_gain != 0.0 && exponent.skid_gain.is_none()).then_some(Caution::SlipGainExtrapolated),
         (braking && matches!(operation.sinkage, Sinkage::FromStatic { .. })).then_some(Caution::SlipSinkageExtrapolated),
         Caution::of_integration(estimate),
+        left_out.then_some(Caution::BulldozingLeftOut),
+        Caution::of_bulldozing(operation, share),
     ]
     .into_iter()
     .flatten()

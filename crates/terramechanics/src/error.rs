@@ -30,6 +30,7 @@ pub enum Parameter {
     PeakSlipGain,
     ExitRatio,
     Slip,
+    SlipAngle,
     ForwardVelocity,
     AngularVelocity,
     Sinkage,

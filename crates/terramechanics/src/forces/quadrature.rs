@@ -14,18 +14,13 @@
 //!
 //! The same points tell how well the stresses are resolved (their highest two Legendre coefficients). Where that is not
 //! enough – a shear modulus thousands of times smaller than the wheel, an exponent near 0 – the worst panel is halved,
-//! at most [`PANELS`] times; the error estimate says what was reached.
+//! at most [`PANELS`](super::panels::PANELS) times; the error estimate says what was reached.
 
+use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
 use super::{Components, ForceModel, Forces};
 use crate::contact::Angles;
 use crate::numerics::gauss_legendre::{NODES, Node};
-use crate::stress::ContactPatch;
-
-/// Panels after which no more are halved.
-const PANELS: usize = 48;
-
-/// Both ends, a layer of shear and two reversals.
-const MOST_EDGES: usize = 5;
+use crate::stress::{ContactPatch, RimPoint};
 
 /// Layers of [`ContactPatch::shear_layer`] after which E is saturated: e^−20 = 2e-9 of a small share is left.
 const LAYERS: f64 = 20.0;
@@ -33,15 +28,16 @@ const LAYERS: f64 = 20.0;
 /// Share of the range of u that the layer has to fall short of, to be split off; else the 24 points resolve it.
 const THIN: f64 = 0.7;
 
-/// Relative error at which refining stops.
-const TOLERANCE: f64 = 1e-10;
-
-/// Rounding left in any sum of this length.
-const ROUNDING: f64 = 2e-15;
-
 pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>) -> Forces {
-    let wheel = &patch.rolling.system.wheel;
-    let integrals = integrate(patch);
+    let rim = Rim::of(patch);
+    forces_of(model, &rim, &rim.edges(), |point| patch.mobilisation(point))
+}
+
+/// The forces where `mobilisation` is E along the rim and `edges` are the places where it is not smooth.
+#[inline]
+pub(super) fn forces_of(model: &ForceModel, rim: &Rim<'_>, edges: &Edges, mobilisation: impl Fn(&RimPoint) -> f64) -> Forces {
+    let wheel = &rim.patch.rolling.system.wheel;
+    let integrals = integrate(edges, |from, to| rim.panel(from, to, &mobilisation));
     let normal = model.normal_stress_radius(wheel) * wheel.width();
     let shear = wheel.shearing_radius() * wheel.width();
     let Sums { normal_cos, normal_sin, shear_cos, shear_sin, shear_plain, .. } = integrals;
@@ -78,6 +74,13 @@ struct Sums {
 }
 
 impl Sums {
+    fn estimate_errors(&mut self) {
+        self.normal_error = error_of(self.normal_null, self.normal_cos);
+        self.shear_error = error_of(self.shear_null, self.shear_size);
+    }
+}
+
+impl Resolved for Sums {
     fn add(&mut self, other: &Self) {
         self.normal_cos += other.normal_cos;
         self.normal_sin += other.normal_sin;
@@ -89,117 +92,53 @@ impl Sums {
         self.shear_error += other.shear_error;
     }
 
-    /// Error from the null sums: the rule's own error falls about as their square, taken as the power 1.5 so that it is not
-    /// underestimated where the coefficients decay slowly.
-    fn estimate_errors(&mut self) {
-        let estimate = |null: [f64; 2], size: f64| {
-            let share = 10.0 * null[0].hypot(null[1]) / size;
-            if size > 0.0 { size * share * share.sqrt() } else { 0.0 }
-        };
-        self.normal_error = estimate(self.normal_null, self.normal_cos);
-        self.shear_error = estimate(self.shear_null, self.shear_size);
-    }
-
     fn relative_error(&self) -> f64 {
         let share = |error: f64, size: f64| if size > 0.0 { error / size } else { 0.0 };
         ROUNDING + share(self.normal_error, self.normal_cos).max(share(self.shear_error, self.shear_size))
     }
-}
 
-/// A range of u and the sums over it.
-#[derive(Clone, Copy, Default)]
-struct Panel {
-    from: f64,
-    to: f64,
-    sums: Sums,
-}
-
-fn integrate(patch: &ContactPatch<'_>) -> Sums {
-    let rim = Rim::of(patch);
-    let (edges, count) = rim.edges();
-    let mut few = [Panel::default(); MOST_EDGES - 1];
-    let panels = &mut few[..count - 1];
-    for (panel, edge) in panels.iter_mut().zip(edges.windows(2)) {
-        *panel = rim.panel(edge[0], edge[1]);
-    }
-    let total = total(panels);
-    if total.relative_error() <= TOLERANCE { total } else { refine(&rim, panels) }
-}
-
-fn total(panels: &[Panel]) -> Sums {
-    let mut total = panels[0].sums;
-    for panel in &panels[1..] {
-        total.add(&panel.sums);
-    }
-    total
-}
-
-/// Halves the worst panel until the error is small enough or there are [`PANELS`]. Apart, because few contacts need it.
-#[cold]
-fn refine(rim: &Rim<'_>, coarse: &[Panel]) -> Sums {
-    let mut panels = [Panel::default(); PANELS];
-    panels[..coarse.len()].copy_from_slice(coarse);
-    let mut used = coarse.len();
-    loop {
-        let total = total(&panels[..used]);
-        if total.relative_error() <= TOLERANCE || used == PANELS {
-            return total;
-        }
-        let share = |panel: &Panel| {
-            let Sums { normal_error, shear_error, .. } = panel.sums;
-            (normal_error / total.normal_cos).max(shear_error / total.shear_size.max(f64::MIN_POSITIVE))
-        };
-        let mut worst = 0;
-        for i in 1..used {
-            if share(&panels[i]) > share(&panels[worst]) {
-                worst = i;
-            }
-        }
-        let Panel { from, to, .. } = panels[worst];
-        let middle = 0.5 * (from + to);
-        panels[worst] = rim.panel(from, middle);
-        panels[used] = rim.panel(middle, to);
-        used += 1;
+    fn error_share(&self, total: &Self) -> f64 {
+        (self.normal_error / total.normal_cos).max(self.shear_error / total.shear_size.max(f64::MIN_POSITIVE))
     }
 }
 
 /// The arcs of a contact.
-struct Rim<'a> {
-    patch: &'a ContactPatch<'a>,
+pub(super) struct Rim<'a> {
+    pub(super) patch: &'a ContactPatch<'a>,
     /// θ1 − θm, θm − θ2 and θ1 − θ2.
-    front: f64,
-    rear: f64,
-    whole: f64,
+    pub(super) front: f64,
+    pub(super) rear: f64,
+    pub(super) whole: f64,
 }
 
 impl<'a> Rim<'a> {
-    fn of(patch: &'a ContactPatch<'a>) -> Self {
+    pub(super) fn of(patch: &'a ContactPatch<'a>) -> Self {
         let Angles { entry, peak, exit } = patch.angles;
         Self { patch, front: entry - peak, rear: peak - exit, whole: entry - exit }
     }
 
-    /// Ends of the panels in u, ascending: 0, the end of a thin layer of shear, the places where j changes sign, 1.
-    fn edges(&self) -> ([f64; MOST_EDGES], usize) {
-        let mut edges = [0.0; MOST_EDGES];
-        let mut count = 1;
-        let mut split = |t: f64, below: f64| {
-            let u = t.sqrt().sqrt();
-            if u > 0.0 && u < below {
-                edges[count] = u;
-                count += 1;
-            }
-        };
-        split(LAYERS * self.patch.shear_layer() / self.front, THIN);
+    /// Ends of the panels: the end of a thin layer of shear and the places where j changes sign.
+    fn edges(&self) -> Edges {
+        let mut edges = Edges::new();
+        self.split_layer(&mut edges, self.patch.shear_layer());
         for &arc in self.patch.shear_reversals().arcs() {
-            split(if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear }, 1.0);
+            self.split(&mut edges, arc);
         }
-        edges[count] = 1.0;
-        count += 1;
-        edges[..count].sort_unstable_by(f64::total_cmp);
-        (edges, count)
+        edges.close()
     }
 
-    fn panel(&self, from: f64, to: f64) -> Panel {
+    /// An edge behind a layer of that arc (rad) at the entry, if it is thin.
+    pub(super) fn split_layer(&self, edges: &mut Edges, layer: f64) {
+        edges.split(LAYERS * layer / self.front, THIN);
+    }
+
+    /// An edge at an arc (rad) behind the entry.
+    pub(super) fn split(&self, edges: &mut Edges, arc: f64) {
+        edges.split(if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear }, 1.0);
+    }
+
+    #[inline]
+    fn panel(&self, from: f64, to: f64, mobilisation: impl Fn(&RimPoint) -> f64) -> Sums {
         let Self { patch, front: front_arc, rear: rear_arc, whole } = *self;
         let length = to - from;
         let mut sums = Sums::default();
@@ -213,8 +152,8 @@ impl<'a> Rim<'a> {
             let normal = patch.rolling.pressure(patch.geometric_depth(&front)); // Eqs. (1), (3), (4): the same on both sides
             let strength = patch.rolling.shear_strength(normal);
             let (front_weight, rear_weight) = (weight * front_arc, weight * rear_arc);
-            let front_shear = front_weight * patch.mobilisation(&front) * strength; // Eq. (5)
-            let rear_shear = rear_weight * patch.mobilisation(&rear) * strength;
+            let front_shear = front_weight * mobilisation(&front) * strength; // Eq. (5)
+            let rear_shear = rear_weight * mobilisation(&rear) * strength;
             let both_shear = front_shear + rear_shear;
             let both_normal = (front_weight + rear_weight) * normal;
             sums.normal_cos += normal * (front_weight * front.cos + rear_weight * rear.cos);
@@ -230,6 +169,6 @@ impl<'a> Rim<'a> {
             sums.shear_null[1] += both_shear * higher;
         }
         sums.estimate_errors();
-        Panel { from, to, sums }
+        sums
     }
 }
