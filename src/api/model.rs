@@ -130,6 +130,8 @@ mod tests {
             "mirrored",
             "no_solution",
             "points_raised",
+            "bulldozing_left_out",
+            "bulldozing_not_mobilised",
         ] {
             assert!(codes.contains(&code), "{code}");
         }

@@ -90,6 +90,7 @@ impl Request for CompareDto {
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
             method: None,
+            side_slip: None,
         }
         .check(place);
         let slips = self.slip().slips(place);

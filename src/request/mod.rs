@@ -5,6 +5,7 @@ mod compare;
 mod contact;
 mod forces;
 mod operation;
+mod side_slip;
 mod slip_sweep;
 mod soil;
 mod stress_profile;

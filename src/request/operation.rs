@@ -7,6 +7,7 @@ use terramechanics::{
 
 use utoipa::openapi::{RefOr, Schema};
 
+use super::side_slip::SideSlipEntries;
 use super::soil::numbers_of;
 use super::{ContactDto, SoilDto, WheelDto};
 use crate::wire::{
@@ -97,6 +98,7 @@ pub(super) struct OperationEntries<'a> {
     pub(super) normal_stress_radius: Entry<'a, String>,
     pub(super) peak_sinkage: Entry<'a, String>,
     pub(super) method: Option<MethodEntries<'a>>,
+    pub(super) side_slip: Option<SideSlipEntries<'a>>,
 }
 
 /// The fields that choose a method.
@@ -132,6 +134,10 @@ impl OperationEntries<'_> {
         let method = match &self.method {
             Some(entries) => entries.check(place, peak_depth),
             None => Some(Method::Quadrature),
+        };
+        let method = match &self.side_slip {
+            Some(entries) => entries.check(place, method),
+            None => method,
         };
         let model =
             ForceModel { method: method?, normal_stress_radius: normal_stress_radius?.unwrap_or(NormalStressRadius::Rim) };
@@ -230,7 +236,7 @@ impl MethodEntries<'_> {
 }
 
 /// What `lookup` makes of the word: `Some(None)` where none was sent, `None` where it is wrong, which is reported.
-fn or_none<T>(entry: &Entry<'_, String>, place: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
+pub(super) fn or_none<T>(entry: &Entry<'_, String>, place: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
     if entry.is_present() { entry.looked_up(place, lookup).map(Some) } else { Some(None) }
 }
 
@@ -289,6 +295,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::NotFinite => "",
         Error::Invalid(fault) => match fault.parameter {
             Parameter::Slip => "/slip",
+            Parameter::SlipAngle => "/slip_angle_rad",
             Parameter::NormalLoad => "/normal_load_n",
             Parameter::LambdaA => "/lambda_a",
             Parameter::LambdaB => "/lambda_b",

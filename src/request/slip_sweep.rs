@@ -4,6 +4,7 @@ use terramechanics::{Operation, Slip};
 
 use super::axis::{SlipAxis, SlipAxisSpec};
 use super::operation::{self, MethodEntries, OperationEntries};
+use super::side_slip::{self, SideSlipEntries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};
 
@@ -23,6 +24,9 @@ wire_object! {
         peak_sinkage: String = operation::PEAK_SINKAGE,
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
+        slip_angle_rad: f64 = side_slip::SLIP_ANGLE,
+        shear_coupling: String = side_slip::SHEAR_COUPLING,
+        bulldozing: String = side_slip::BULLDOZING,
     }
 }
 
@@ -47,6 +51,11 @@ impl Request for SweepDto {
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
+            side_slip: Some(SideSlipEntries {
+                slip_angle: self.slip_angle_rad(),
+                shear_coupling: self.shear_coupling(),
+                bulldozing: self.bulldozing(),
+            }),
         }
         .check(place);
         let slips = self.slip().slips(place);

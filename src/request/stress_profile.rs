@@ -56,6 +56,7 @@ impl Request for ProfileDto {
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
             method: None,
+            side_slip: None,
         }
         .check(place);
         let wheel = checked.as_ref().map(|checked| &checked.operation.system.wheel);

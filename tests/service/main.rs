@@ -10,5 +10,6 @@ mod page;
 mod problems;
 mod readme;
 mod server;
+mod side_force;
 mod slip_sweep;
 mod stress_profile;
