@@ -21,6 +21,9 @@ SLIP = (["slip"], ["forward_velocity_m_s", "angular_velocity_rad_s"])
 # Fields that have a meaning only beside another.
 BESIDE = {"slip_sinkage": "static_sinkage_m"}
 
+# Fields of a wheel that moves at an angle to its plane.
+SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
+
 # How a refusal starts whose reason stands in the schema: a bound, a type, a word, a name, a field that is left out.
 IN_THE_SCHEMA = ("must be ", "must have ", "unknown name ", "unknown field", "is required")
 # The one field that may be required in spite of the schema: a value that nobody published for a preset.
@@ -33,7 +36,8 @@ def before_load_schema(context, raw_schema):
     for name, schema in schemas.items():
         groups = [group for group in (SINKAGE, SLIP) if has(schema, sum(group, []))]
         if groups:
-            schemas[name] = one_of(chosen(schema, groups, choice) for choice in product(*groups))
+            choices = (chosen(schema, groups, choice) for choice in product(*groups))
+            schemas[name] = one_of(variant for choice in choices for variant in straight_or_sideways(choice))
     wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
     schemas["Wheel"] = one_of(
         [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
@@ -61,6 +65,15 @@ def chosen(schema, groups, choice):
     others = [field for group in groups for alternative in group for field in alternative if field not in given]
     lonely = [field for field, other in BESIDE.items() if has(schema, [field]) and other not in given]
     return requiring(schema, given, [*others, *lonely])
+
+
+def straight_or_sideways(schema):
+    """The schema without a slip angle, and with one but without the closed forms, which have no lateral force."""
+    if not has(schema, [*SIDEWAYS, "method"]):
+        return [schema]
+    sideways = deepcopy(schema)
+    sideways["properties"]["method"]["enum"] = ["quadrature"]
+    return [requiring(schema, [], without=SIDEWAYS), sideways]
 
 
 def requiring(schema, fields, without=()):

@@ -9,7 +9,8 @@
 //!
 //! The way through: a [`Wheel`], a [`Soil`] and a [`Contact`] make a [`WheelOnSoil`]; at a [`Slip`] it is [`Rolling`]; at a
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
-//! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
+//! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips. A wheel that
+//! moves at an angle to its plane has a [`SideSlip`] in its [`Method`], and a [`SideForce`] in its forces.
 
 mod caution;
 mod contact;

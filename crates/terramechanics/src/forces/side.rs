@@ -6,7 +6,7 @@
 //! M_x = r F_y is the published overturning moment. For M_z the published form is F_y r sin θm, as if all of the force acted
 //! at the peak of the stresses. Here M_z is the moment of the same stresses, ∫ {r_s² b τ_y + r R_b (r − h cos θ)} sin θ dθ:
 //! an element of F_y at θ lies r sin θ ahead of the axle, and its moment about the axis upwards is that arm times the force.
-//! It needs no guess of the place and differs by some percent to some tens of percent.
+//! It needs no guess of the place; the two differ by up to some tens of percent.
 //!
 //! Stresses that are not coupled leave the forces along the wheel as they are without a slip angle, to the last bit.
 

@@ -16,6 +16,11 @@
 //! D1 = 2 √K_p is Rankine's cohesion term exactly, and D1 D2/2 = K_p (1 + √K_p tan φ) is 2 (1 + √K_p tan φ) times his weight
 //! term K_p/2: the soil that is heaped up in front of the wall comes on top of the wedge.
 //!
+//! A limit of the published form: R_b depends on neither β nor the slip, so F_y does not vanish where the sideways motion does.
+//! At a slip of 0.91 the smooth wheel of the 2005 paper measured −4 to −1 N at all its slip angles, no push to the other side.
+//! [`Bulldozing`](super::Bulldozing) offers the share of R_b that E_y mobilises instead: the wall meets new soil all the time,
+//! and at θ has pushed it by j_y only.
+//!
 //! Departures: the shear law is that of the soil, Janosi–Hanamoto's is the published one; a braking wheel has κ = 1/(1 + s)
 //! in place of 1 − s; τ_y acts at the shearing radius of a wheel with lugs, as τ does.
 
