@@ -21,6 +21,9 @@ impl Cost {
     /// Above this a computation would hold up the other requests of its thread.
     const LONGEST_AT_ONCE: Self = Self(100_000.0);
 
+    /// Of what is there already.
+    pub(crate) const NONE: Self = Self(0.0);
+
     /// Of `points` operating points, and of writing their rows.
     pub(crate) fn of_points(operation: &Operation, points: usize) -> Self {
         // A stiff contact makes the quadrature refine to dozens of panels; most take a fortieth of this.
@@ -33,9 +36,24 @@ impl Cost {
         Self(points as f64 * (evaluation * evaluations + 500.0))
     }
 
+    /// Of one evaluation of closed forms.
+    pub(crate) fn of_closed_forms() -> Self {
+        Self(1_000.0)
+    }
+
     /// Of `points` operating points by each of several methods.
     pub(crate) fn of_comparison(operations: &[Operation], points: usize) -> Self {
         Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())
+    }
+
+    /// Of `points` measurements, each predicted under its load by every method, of which the quadrature takes nearly all.
+    pub(crate) fn of_validation(points: usize) -> Self {
+        Self(points as f64 * 20.0 * 80_000.0)
+    }
+
+    /// Of a towed wheel, whose skid takes up to a hundred load balances (most take fifteen).
+    pub(crate) fn of_towed(operation: &Operation) -> Self {
+        Self::of_points(operation, 100)
     }
 
     /// Of reading a request body of `bytes`.
@@ -102,9 +120,8 @@ pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, P
     match format {
         Format::Json => json(reply),
         Format::Csv => {
-            let mut response = csv(&reply.columns()).into_response();
+            let mut response = csv_text(csv(&reply.columns()));
             let headers = response.headers_mut();
-            headers.insert(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"));
             // A table has no place for warnings, so their codes travel beside it.
             let codes: Vec<&str> = reply.warnings().iter().map(|warning| warning.code).collect();
             if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))
@@ -125,6 +142,11 @@ pub(crate) fn json<T: serde::Serialize>(value: &T) -> Result<Response, Problem> 
         Problem::Internal
     })?;
     Ok(json_text(text))
+}
+
+/// A text that is a table.
+pub(crate) fn csv_text(text: impl IntoResponse) -> Response {
+    ([(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"))], text).into_response()
 }
 
 /// A text that is JSON.

@@ -1,16 +1,20 @@
 //! What a handler takes from an HTTP request: a checked query, and the format of the answer.
 
+use std::cell::RefCell;
+
 use axum::body::{Body, to_bytes};
 use axum::extract::{FromRequest, FromRequestParts};
 use axum::http::header::{ACCEPT, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, Request};
+use utoipa::IntoParams;
+use utoipa::openapi::path::{Parameter, ParameterIn};
 
 use crate::app::Service;
 use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::request::{self, checked};
-use crate::wire;
+use crate::wire::{self, Choice, Entry, FieldFault, Query, Scope, Spec};
 
 /// A request body that was read and checked.
 pub(crate) struct Input<R: request::Request>(pub(crate) R::Query);
@@ -35,6 +39,59 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
             Ok(Ok(body)) => body,
         };
         service.pool().run(Cost::of_body(body.len()), move || query::<R>(&body)).await.map(Self)
+    }
+}
+
+/// A request that stands in the query of a GET, read and checked, and the format asked for.
+pub(crate) struct Asked<R: request::Request> {
+    pub(crate) query: R::Query,
+    pub(crate) format: Format,
+}
+
+impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        let mut query = Query::parse(parts.uri.query().unwrap_or(""))
+            .map_err(|error| Problem::Invalid(vec![FieldFault { pointer: String::new(), detail: error.to_string() }]))?;
+        let faults = RefCell::default();
+        let format = asked_format(&mut query, &Scope::root(&faults));
+        let mut faults = faults.into_inner();
+        match checked(&query.read::<R>()) {
+            Ok(query) if faults.is_empty() => Ok(Self { query, format: format.unwrap_or_else(|| Format::of(&parts.headers)) }),
+            Ok(_) => Err(Problem::Invalid(faults)),
+            Err(more) => {
+                faults.extend(more);
+                Err(Problem::Invalid(faults))
+            }
+        }
+    }
+}
+
+const FORMAT: Choice =
+    Choice { doc: "Format of the answer; else what the header Accept prefers.", words: || vec!["json", "csv"], default: None };
+
+/// The format that a query names.
+fn asked_format(query: &mut Query, root: &Scope<'_>) -> Option<Format> {
+    let (field, several) = query.take::<String>("format");
+    if several {
+        root.field("format").fault("is given more than once");
+    }
+    Entry { name: "format", field: &field, spec: &FORMAT }.looked_up(root, |word| match word {
+        "json" => Some(Format::Json),
+        "csv" => Some(Format::Csv),
+        _ => None,
+    })
+}
+
+/// The parameter `format` for the contract.
+pub(crate) struct FormatParameter;
+
+impl IntoParams for FormatParameter {
+    fn into_params(_: impl Fn() -> Option<ParameterIn>) -> Vec<Parameter> {
+        let mut found = Vec::new();
+        FORMAT.parameters("format", &mut found);
+        found
     }
 }
 
@@ -75,12 +132,17 @@ impl<S: Sync> FromRequestParts<S> for Format {
     type Rejection = std::convert::Infallible;
 
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Self::Rejection> {
-        let accept = parts.headers.get(ACCEPT).and_then(|value| value.to_str().ok());
-        Ok(accept.map_or(Self::Json, Self::preferred))
+        Ok(Self::of(&parts.headers))
     }
 }
 
 impl Format {
+    /// What the headers of a request ask for.
+    fn of(headers: &HeaderMap) -> Self {
+        let accept = headers.get(ACCEPT).and_then(|value| value.to_str().ok());
+        accept.map_or(Self::Json, Self::preferred)
+    }
+
     /// The format that an Accept header prefers (RFC 9110, section 12.5.1); JSON where it accepts neither or both alike.
     fn preferred(accept: &str) -> Self {
         let quality = |kind: &str, subtype: &str| {

@@ -19,6 +19,7 @@ mod problem;
 mod reply;
 mod request;
 pub mod server;
+mod validation;
 mod wire;
 
 pub use app::{Limits, Service, app, layered};

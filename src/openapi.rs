@@ -26,7 +26,7 @@ use crate::{api, examples};
     security(()),
     tags(
         (name = "forces", description = "Forces and stresses of a wheel"),
-        (name = "catalogue", description = "Wheels, soils and equations, with their sources"),
+        (name = "catalogue", description = "Wheels, soils, measurements and equations, with their sources"),
         (name = "operations", description = "For operators and tools")
     )
 )]

@@ -69,9 +69,11 @@ pub(crate) struct ProblemBody {
     errors: Vec<FieldFault>,
     /// For a body that is not JSON: line of the fault, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     line: Option<usize>,
     /// For a body that is not JSON: column of the fault.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
     column: Option<usize>,
 }
 
@@ -84,7 +86,7 @@ impl Problem {
         Self::Invalid(vec![error_fault(error, sinkage)])
     }
 
-    fn status(&self) -> StatusCode {
+    pub(crate) fn status(&self) -> StatusCode {
         match self {
             Self::NotJson { .. } | Self::BrokenBody => StatusCode::BAD_REQUEST,
             Self::NotFound(_) => StatusCode::NOT_FOUND,
@@ -135,19 +137,25 @@ impl Problem {
     }
 }
 
+impl From<Problem> for ProblemBody {
+    fn from(problem: Problem) -> Self {
+        let status = problem.status().as_u16();
+        let (name, title) = problem.name_and_title();
+        let (line, column) = match problem {
+            Problem::NotJson { line, column, .. } => (Some(line), Some(column)),
+            _ => (None, None),
+        };
+        let detail = problem.detail();
+        let errors = if let Problem::Invalid(errors) = problem { errors } else { Vec::new() };
+        let kind = format!("urn:terramechanics:problem:{name}");
+        Self { kind, title, status, detail, errors, line, column }
+    }
+}
+
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let status = self.status();
-        let (name, title) = self.name_and_title();
-        let (line, column) = match self {
-            Self::NotJson { line, column, .. } => (Some(line), Some(column)),
-            _ => (None, None),
-        };
-        let detail = self.detail();
-        let errors = if let Self::Invalid(errors) = self { errors } else { Vec::new() };
-        let kind = format!("urn:terramechanics:problem:{name}");
-        let body = ProblemBody { kind, title, status: status.as_u16(), detail, errors, line, column };
-        let text = serde_json::to_vec(&body).unwrap_or_default();
+        let text = serde_json::to_vec(&ProblemBody::from(self)).unwrap_or_default();
         let mut response = (status, [(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"))], text).into_response();
         if status == StatusCode::SERVICE_UNAVAILABLE {
             response.headers_mut().insert(RETRY_AFTER, RETRY_AFTER_SECONDS.into());

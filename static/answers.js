@@ -2,14 +2,15 @@
 
 import { Problem, post } from "./api.js";
 import { METHOD_NAMES } from "./format.js";
-import { forcesBody, profileBody, sweepBody } from "./settings.js";
+import { compareBody, forcesBody, profileBody, sweepBody } from "./settings.js";
+import { worded, wordedWarning } from "./wording.js";
 
 /** A problem is an outcome like an answer; only a missing answer ends the round. */
 async function outcomeOf(path, body, signal) {
   try {
-    return { body, answer: await post(path, body, signal) };
+    return { path, body, answer: await post(path, body, signal) };
   } catch (error) {
-    if (error instanceof Problem) return { body, problem: error };
+    if (error instanceof Problem) return { path, body, problem: error };
     throw error;
   }
 }
@@ -22,26 +23,33 @@ async function profileOutcome(settings, forces, signal) {
   return problem ? { problem } : ask(answer.sinkage_m);
 }
 
+/** The curves of all methods asked for, in one request, so that they and their gaps belong together. */
+function sweepOutcome(settings, signal) {
+  return settings.methods.length > 1
+    ? outcomeOf("/v1/compare", compareBody(settings), signal)
+    : outcomeOf("/v1/slip-sweep", sweepBody(settings, settings.method), signal);
+}
+
+/** What a sweep's or a comparison's answer says of each method: its columns, and its gap to the first where there are several. */
+function seriesOf({ answer }) {
+  if (!answer) return [];
+  return answer.series ?? [{ method: answer.method, columns: answer.columns, difference: null }];
+}
+
 /**
- * `forces`, `sweep` and `profile` are the outcomes for the chosen method, each with its request's body and either an
- * answer or a problem; `byMethod` lists the forces and sweeps of all methods asked for.
+ * `forces`, `sweep` and `profile` are the outcomes for the chosen method, each with its request and either an answer or a
+ * problem; `byMethod` lists the forces of all methods asked for, `series` their curves.
  */
 export async function askAll(settings, signal) {
-  const asked = settings.methods.map((method) => ({
-    method,
-    forces: outcomeOf("/v1/forces", forcesBody(settings, method), signal),
-    sweep: outcomeOf("/v1/slip-sweep", sweepBody(settings, method), signal),
-  }));
+  const asked = settings.methods.map((method) => ({ method, forces: outcomeOf("/v1/forces", forcesBody(settings, method), signal) }));
   const chosen = asked.find(({ method }) => method === settings.method);
-  const [profile, ...byMethod] = await Promise.all([
+  const [profile, sweep, ...byMethod] = await Promise.all([
     profileOutcome(settings, chosen.forces, signal),
-    ...asked.map(async ({ method, forces, sweep }) => {
-      const [forcesDone, sweepDone] = await Promise.all([forces, sweep]);
-      return { method, forces: forcesDone, sweep: sweepDone };
-    }),
+    sweepOutcome(settings, signal),
+    ...asked.map(async ({ method, forces }) => ({ method, forces: await forces })),
   ]);
-  const { forces, sweep } = byMethod.find(({ method }) => method === settings.method);
-  return { forces, sweep, profile, byMethod };
+  const { forces } = byMethod.find(({ method }) => method === settings.method);
+  return { forces, sweep, profile, byMethod, series: seriesOf(sweep) };
 }
 
 export const faultsOfProblem = (problem) => (problem.errors.length ? problem.errors : [{ pointer: "", detail: problem.message }]);
@@ -52,22 +60,29 @@ export function faultsOf({ forces, sweep, profile }) {
   return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
 }
 
-/** Each warning once, with the answers it came with. */
-export function warningsOf({ profile, byMethod }) {
-  const named = (method, what) => (byMethod.length > 1 ? `${METHOD_NAMES[method]}, ${what}` : what);
-  const sources = [
-    ...byMethod.flatMap(({ method, forces, sweep }) => [
-      { about: named(method, "at this slip"), outcome: forces },
-      { about: named(method, "over slip"), outcome: sweep },
-    ]),
-    { about: "stress profile", outcome: profile },
-  ];
+/** Each warning once, with the methods it came with. */
+function gathered(sources) {
   const warnings = new Map();
-  for (const { about, outcome } of sources) {
-    for (const { code, detail } of outcome.answer?.warnings ?? []) {
-      const key = `${code} ${detail}`;
-      warnings.set(key, { code, detail, abouts: [...(warnings.get(key)?.abouts ?? []), about] });
-    }
+  for (const { method, code, detail } of sources) {
+    const key = `${code} ${detail}`;
+    warnings.set(key, { code, detail, methods: [...(warnings.get(key)?.methods ?? []), ...(method ? [METHOD_NAMES[method]] : [])] });
   }
   return [...warnings.values()];
+}
+
+/** A comparison names the method at the head of its warnings. */
+function withoutMethod({ code, detail }) {
+  const method = Object.keys(METHOD_NAMES).find((name) => detail.startsWith(`${name}: `));
+  return { method, code, detail: method ? detail.slice(method.length + 2) : detail };
+}
+
+/** The warnings by the part of the page that they are about. */
+export function warningsOf({ sweep, profile, byMethod, series }) {
+  const isCompared = byMethod.length > 1;
+  const ofForces = byMethod.flatMap(({ method, forces }) =>
+    (forces.answer?.warnings ?? []).map(({ code, detail }) => ({ method: isCompared ? method : null, code, detail: worded(detail) })));
+  const ofSweep = (sweep.answer?.warnings ?? []).map(withoutMethod)
+    .map((warning) => ({ ...warning, detail: wordedWarning(warning.detail, series[0]?.columns.slip) }));
+  const ofProfile = (profile.answer?.warnings ?? []).map(({ code, detail }) => ({ code, detail: worded(detail) }));
+  return { forces: gathered(ofForces), sweep: gathered(ofSweep), profile: gathered(ofProfile) };
 }

@@ -53,11 +53,16 @@ export const post = (path, body, signal) => answer(path, posted(body, "applicati
 
 export const postForCsv = (path, body) => answer(path, posted(body, "text/csv"), asText);
 
+export const modelStatement = () => answer("/v1/model", {}, asJson);
+
 export async function catalogueOf() {
   const [{ wheels }, { soils }] = await Promise.all([answer("/v1/wheels", {}, asJson), answer("/v1/soils", {}, asJson)]);
   const byId = (entries) => new Map(entries.map((entry) => [entry.id, entry]));
   return { wheels: byId(wheels), soils: byId(soils) };
 }
+
+/** Published measurements with what the methods give for them. */
+export const validationSets = async () => (await answer("/v1/validation", {}, asJson)).sets;
 
 const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
 

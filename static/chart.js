@@ -73,6 +73,7 @@ export function createChart(host, { onCursor, onPick } = {}) {
   let y = null;
   let size = { width: 0, height: 0 };
   let overlay = null;
+  let pressedBy = null;
 
   const indexOfCursor = () => nearestIndex(spec.x.values, cursor ?? spec.rest ?? spec.x.values[0]);
 
@@ -193,12 +194,15 @@ export function createChart(host, { onCursor, onPick } = {}) {
   }
 
   plot.addEventListener("pointermove", (event) => x && moveTo(positionOf(event)));
-  plot.addEventListener("pointerdown", (event) => x && moveTo(positionOf(event)));
+  plot.addEventListener("pointerdown", (event) => {
+    pressedBy = event.pointerType;
+    if (x) moveTo(positionOf(event));
+  });
   plot.addEventListener("pointerleave", () => moveTo(null));
   plot.addEventListener("blur", () => moveTo(null));
   plot.addEventListener("click", (event) => {
     // A finger reads the chart by touching it, so only a mouse picks by clicking.
-    if (onPick && x && event.pointerType === "mouse") onPick(positionOf(event));
+    if (onPick && x && pressedBy === "mouse") onPick(positionOf(event));
   });
   plot.addEventListener("keydown", (event) => {
     if (!spec) return;

@@ -6,11 +6,12 @@ import { FIELDS } from "./fields.js";
 import { fillPresets, showGrade } from "./presets.js";
 import { activeGroups } from "./settings.js";
 import { DEFAULTS } from "./state.js";
+import { wordedFault } from "./wording.js";
 
 /** The collapsible groups: the field groups and the choices in each that can differ from the preset. */
 const SECTIONS = {
   wheel: { fields: ["wheel"], choices: [] },
-  strength: { fields: ["strength"], choices: [] },
+  strength: { fields: ["strength", "janosi_hanamoto", "residual", "peak"], choices: ["shear"] },
   pressure: { fields: ["bekker", "direct", "reece", "diameter", "exponent"], choices: ["law"] },
   options: { fields: ["wong_reece", "contact", "explicit"], choices: ["rule", "normal_stress_radius", "peak_sinkage"] },
 };
@@ -18,11 +19,12 @@ const PRESET_GROUPS = Object.values(SECTIONS).flatMap((section) => section.field
 
 /** Where the fault of each choice is shown; a pointer below one of these belongs to it unless a field claims it. */
 const CHOICE_POINTERS = {
-  wheel: "/wheel", soil: "/soil", method: "/method", law: "/soil/pressure_sinkage", rule: "/contact",
+  wheel: "/wheel", soil: "/soil", method: "/method", law: "/soil/pressure_sinkage", shear: "/soil/shear",
+  rule: "/contact", slip_sinkage: "/slip_sinkage",
   normal_stress_radius: "/normal_stress_radius", peak_sinkage: "/peak_sinkage",
 };
 
-/** An address may name what the page does not know. Judging it is the API's part, so it is shown and sent. */
+/** Until the catalogue is there, the list holds what the address names. */
 function choose(select, value) {
   if (![...select.options].some((option) => option.value === value)) {
     select.append(html("option", { value }, value));
@@ -33,7 +35,8 @@ function choose(select, value) {
 /** `onChange(changes, { discrete })`: discrete changes are single decisions, the others come in streams. */
 export function createControls(form, onChange) {
   const selects = Object.fromEntries(Object.keys(CHOICE_POINTERS).map((key) => [key, form.elements[key]]));
-  const followed = { law: null, rule: null };
+  const followed = { law: null, shear: null, rule: null };
+  let isFilled = false;
 
   const rows = FIELDS.map((field) => {
     const row = createFieldRow(field, {
@@ -69,10 +72,20 @@ export function createControls(form, onChange) {
   function fill(catalogue) {
     fillPresets(selects.wheel, catalogue.wheels.values());
     fillPresets(selects.soil, catalogue.soils.values());
+    isFilled = true;
+  }
+
+  /** Whether a choice can take a value. The lists of wheels and soils say so only once they are filled. */
+  function offers(key, value) {
+    const input = form.elements[key];
+    if (["wheel", "soil"].includes(key) && !isFilled) return true;
+    if (input instanceof RadioNodeList) return [...input].some((radio) => radio.value === value);
+    if (input.type === "checkbox") return ["", "1"].includes(value);
+    return [...input.options].some((option) => option.value === value);
   }
 
   function show(state, context) {
-    Object.assign(followed, { law: context.followedLaw, rule: context.followedRule });
+    Object.assign(followed, { law: context.followedLaw, shear: context.followedShear, rule: context.followedRule });
     for (const [key, select] of Object.entries(selects)) {
       choose(select, state[key] ?? followed[key]);
       if (key in followed) select.closest(".choice").classList.toggle("changed", state[key] !== null);
@@ -110,10 +123,8 @@ export function createControls(form, onChange) {
     const texts = new Map();
     const placed = faults.map(({ pointer, detail, local }) => {
       const place = placeOf(pointer);
-      if (!place) return { pointer, text: detail, input: null };
-      // The API speaks in its own units; where it names a number, say which.
-      const counted = !local && /(^|\s)-?\d/.test(detail) && place.field?.unit.si;
-      const text = counted ? `${detail} (${counted})` : detail;
+      if (!place) return { pointer, text: wordedFault(detail), input: null };
+      const text = local ? detail : wordedFault(detail, place.field);
       texts.set(place.fault, [...(texts.get(place.fault) ?? []), text]);
       return { pointer, text, input: place.input };
     });
@@ -130,5 +141,5 @@ export function createControls(form, onChange) {
     return placed;
   }
 
-  return { fill, show, showFaults };
+  return { fill, offers, show, showFaults };
 }

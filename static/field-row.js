@@ -15,6 +15,7 @@ function nudged(text, step) {
 export function createFieldRow(field, { followsPreset, onText, onReset }) {
   const { name, label } = field;
   const unit = field.unit.text;
+  const unset = field.blank ?? "unknown";
   let usual = "";
 
   const box = html("input", {
@@ -43,7 +44,7 @@ export function createFieldRow(field, { followsPreset, onText, onReset }) {
   box.addEventListener("input", () => send(box.value));
   box.addEventListener("keydown", (event) => {
     const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    const plain = box.value.trim().replace(",", ".");
+    const plain = box.value.trim();
     if (!direction || !slider || typeof siFromText(field, plain) !== "number") return;
     event.preventDefault();
     send(nudged(plain, direction * Number(slider.step) * (event.shiftKey ? COARSE_STEPS : 1)));
@@ -57,18 +58,18 @@ export function createFieldRow(field, { followsPreset, onText, onReset }) {
     usual = baseText(field, context);
     const text = shownText(field, state, context);
     const changed = followsPreset && state[field.key] !== null;
-    const usualText = usual === "" ? "unknown" : [usual, unit].filter(Boolean).join(" ");
+    const usualText = usual === "" ? unset : [usual, unit].filter(Boolean).join(" ");
     if (box.value !== text) box.value = text;
-    box.placeholder = usual === "" ? "unknown" : "";
+    box.placeholder = usual === "" ? unset : "";
     element.classList.toggle("changed", changed);
     reset.hidden = !changed;
     reset.title = `Changed; the preset: ${usualText}`;
     reset.setAttribute("aria-label", `${label} is changed. Reset to the preset: ${usualText}`);
     if (!slider) return;
     Object.assign(slider, sliderRange(field, context));
-    const shown = Number(text.replace(",", "."));
+    const shown = Number(text);
     slider.value = text !== "" && Number.isFinite(shown) ? shown : slider.min;
-    slider.setAttribute("aria-valuetext", text === "" ? "unknown" : `${text} ${unit}`.trim());
+    slider.setAttribute("aria-valuetext", text === "" ? unset : `${text} ${unit}`.trim());
   }
 
   return { field, element, input: box, fault, show };

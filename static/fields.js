@@ -52,7 +52,7 @@ function loadRange({ wheel }) {
 
 /**
  * `key` in the address, `name` of the input, `pointer` in the request, `base` the value while untouched (SI, or undefined
- * where the catalogue has none), `slider` its range in the shown unit.
+ * where the catalogue has none), `blank` what that means where it is no gap, `slider` its range in the shown unit.
  */
 export const FIELDS = [
   { group: "slip", key: "slip_pct", name: "slip", pointer: "/slip", label: "Slip", symbol: "s", unit: PERCENT, signed: true,
@@ -64,6 +64,9 @@ export const FIELDS = [
   { group: "static", key: "static_mm", name: "static_sinkage", pointer: "/static_sinkage_m",
     label: "Static sinkage", symbol: "z_0", unit: MILLIMETRE,
     base: () => 0.01, slider: sinkageRange },
+  { group: "linear", key: "ss_gain", name: "slip_sinkage_gain", pointer: "/slip_sinkage/gain",
+    label: "Gain of the sinkage with slip", symbol: "S", unit: ONE,
+    base: () => 1, slider: range(0, 5, 0.05) },
 
   { group: "wheel", key: "radius_mm", name: "radius", pointer: "/wheel/radius_m", label: "Radius", symbol: "r", unit: MILLIMETRE,
     base: ({ wheel }) => wheel?.wheel.radius_m, slider: range(20, 600, 1) },
@@ -80,9 +83,15 @@ export const FIELDS = [
   { group: "strength", key: "phi_deg", name: "friction_angle", pointer: "/soil/friction_angle_rad",
     label: "Friction angle", symbol: "φ", unit: DEGREE,
     base: ({ soil }) => soil?.soil.friction_angle_rad, slider: range(0, 60, 0.5) },
-  { group: "strength", key: "k_mm", name: "shear_modulus", pointer: "/soil/shear_modulus_m",
+  { group: "janosi_hanamoto", key: "k_mm", name: "shear_modulus", pointer: "/soil/shear_modulus_m",
     label: "Shear modulus", symbol: "K", unit: MILLIMETRE,
     base: ({ soil }) => soil?.soil.shear_modulus_m, slider: range(0.5, 50, 0.5) },
+  { group: "residual", key: "kr", name: "residual_ratio", pointer: "/soil/shear/residual_ratio",
+    label: "Residual over largest strength", symbol: "K_r", unit: ONE,
+    base: ({ shear }) => shear.residual_ratio ?? 0.66, slider: range(0.05, 1, 0.01) },
+  { group: "peak", key: "kw_mm", name: "peak_displacement", pointer: "/soil/shear/peak_displacement_m",
+    label: "Displacement at the largest strength", symbol: "K_w", unit: MILLIMETRE,
+    base: ({ shear }) => shear.peak_displacement_m ?? 0.02, slider: range(0.5, 100, 0.5) },
 
   { group: "bekker", key: "kc", name: "bekker_k_c", pointer: "/soil/pressure_sinkage/k_c",
     label: "Cohesive modulus", symbol: "k_c", unit: power("kN/mⁿ⁺¹", 3, "in N/mⁿ⁺¹"), signed: true,
@@ -113,6 +122,9 @@ export const FIELDS = [
   { group: "exponent", key: "n1", name: "n1", pointer: "/soil/pressure_sinkage/n1",
     label: "Exponent’s gain with slip", symbol: "n_1", unit: ONE, signed: true,
     base: ({ pressureSinkage }) => pressureSinkage.n1 ?? 0, slider: range(-0.5, 1.5, 0.01) },
+  { group: "exponent", key: "n2", name: "n2", pointer: "/soil/pressure_sinkage/n2",
+    label: "Exponent’s gain with skid", symbol: "n_2", unit: ONE, signed: true, blank: "as n₁",
+    base: ({ pressureSinkage }) => pressureSinkage.n2 },
 
   { group: "wong_reece", key: "c1", name: "c1", pointer: "/contact/c1",
     label: "Position of the peak", symbol: "c_1", unit: ONE, signed: true,
@@ -131,14 +143,29 @@ export const FIELDS = [
 ];
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const WITH_COMMA = /^[+\u2212-]?[\d.,]*\d[\d.,]*$/;
+const MAYBE_THOUSANDS = /^[+\u2212-]?[1-9]\d{0,2},\d{3}$/;
 
 /** The SI value of typed text, the field's word if it takes one, or null if it is neither. */
 export function siFromText(field, text) {
-  const plain = text.trim().replace(",", ".").replace("\u2212", "-");
+  const plain = text.trim().replace("\u2212", "-");
   if (field.word && plain.toLowerCase() === field.word) return field.word;
   if (!NUMBER.test(plain)) return null;
   const value = field.unit.toSi(plain);
   return Number.isFinite(value) ? value : null;
+}
+
+/** What to type instead of a text that is no number. A comma stands for thousands here and for decimals there, so it is not guessed. */
+export function typingAdvice(field, text, context) {
+  const plain = text.trim();
+  if (plain.includes(",") && WITH_COMMA.test(plain)) {
+    const [whole, pointed] = [plain.replaceAll(",", ""), plain.replace(",", ".")];
+    if (MAYBE_THOUSANDS.test(plain)) return `A comma can mean two things: type ${whole} or ${pointed}.`;
+    return `Type the number without a comma: ${NUMBER.test(pointed) ? pointed : whole}.`;
+  }
+  const alternative = field.word ? ` or “${field.word}”` : "";
+  const usual = baseText(field, context);
+  return `Type a number${alternative}${usual ? `, such as ${usual}` : ""}.`;
 }
 
 /** What the box shows while the field follows its preset. */

@@ -42,15 +42,14 @@ export function profileSpec({ angles, columns }) {
 const AXIS_LIMITS = { tractive_efficiency: { min: -50, max: 100 }, drawbar_coefficient: { min: -3, max: 3 } };
 const MISSING = { tractive_efficiency: "not defined", drawbar_coefficient: "not defined" };
 
-/** `byMethod`: outcomes of each method; `slip`: the chosen one, which need not be among the sweep's. */
-export function sweepSpec(name, { byMethod, slip }) {
+/** `series`: curves by method; `byMethod`: outcomes at the chosen `slip`, which need not be among the sweep's. */
+export function sweepSpec(name, { series, byMethod, slip }) {
   const { name: title, unit, factor } = QUANTITIES[name];
-  const sweeps = byMethod.filter(({ sweep }) => sweep.answer).map(({ method, sweep }) => ({ method, columns: sweep.answer.columns }));
   const points = byMethod.filter(({ forces }) => forces.answer).map(({ method, forces: { answer } }) => ({
     method,
     value: answer[name] ?? answer.components[name] ?? null,
   }));
-  const slips = scaled(sweeps[0].columns.slip, 100);
+  const slips = scaled(series[0].columns.slip, 100);
   const at = slip * 100;
   return {
     label: `${title} over slip`,
@@ -61,7 +60,7 @@ export function sweepSpec(name, { byMethod, slip }) {
       missing: MISSING[name],
       format: (value) => quantity(name, value / factor),
     },
-    curves: sweeps.map(({ method, columns }) => ({ key: method, name: METHOD_NAMES[method], values: scaled(columns[name], factor) })),
+    curves: series.map(({ method, columns }) => ({ key: method, name: METHOD_NAMES[method], values: scaled(columns[name], factor) })),
     marks: [{ key: "slip", at, label: `s ${percent(at)}` }],
     dots: points.filter(({ value }) => value !== null).map(({ method, value }) => ({ key: method, at, value: value * factor })),
     rest: at >= slips[0] && at <= slips.at(-1) ? at : null,

@@ -3,33 +3,42 @@
 // For tests: ids and attributes that stay.
 //   #app[data-state]          loading | ready | fault | offline; #app[data-round] counts the rounds shown;
 //   #app[data-busy] is true while a round is in flight
-//   #wheel #soil #method #law #rule #normal-stress-radius #peak-sinkage #fourth (selects), #compare #braking (check boxes),
+//   #notice: what of the address was not taken
+//   #wheel #soil #method #law #shear #slip-sinkage #rule #normal-stress-radius #peak-sinkage #fourth (selects), #compare #braking (check boxes),
 //   #by-sinkage #by-load #by-static (radio buttons)
 //   input[name="slip"] and so on: the number boxes; input[data-slider="slip"]: their sliders; names as in fields.js
 //   [data-reset="radius"], [data-reset-group="wheel"]: back to the preset; .field.changed marks a changed field
 //   [data-fault="/wheel/radius_m"]: where the fault of a pointer is shown, hidden while there is none
 //   [data-result="longitudinal_force_n"]: a result as text, with the API's number in data-value
-//   #comparison-table tr[data-method] td[data-compared][data-value], #warnings li[data-warning], #status, #announcement
+//   #comparison-table tr[data-method] td[data-compared][data-value], #status, #announcement
+//   #gap-table tr[data-method][data-quantity] td[data-gap="rms|max_abs"][data-value][data-share]
+//   #warnings, #profile-warnings, #sweep-warnings: li[data-warning]
 //   #scene, #profile-chart, #longitudinal-force-chart, #normal-force-chart, #torque-chart, #fourth-chart;
 //   [data-part="tiles|scene|profile|sweep"][data-stale="true"] while what is shown is not the answer to the inputs
 //   path.curve[data-style], line[data-mark], g[data-arrow], .plot[role="slider"], .legend .reading
 //   #wheel-grade #soil-grade, #wheel-origin #soil-origin: grade, source, notes and values of the chosen entries
-//   #profile-csv #sweep-csv #copy-link #copy-curl #curl #reset-all
+//   #validation[data-state]: waiting | loading | ready | failed; in it tr[data-set], td[data-error][data-method][data-value],
+//   #validation-drawbar-chart #validation-sinkage-chart #validation-torque-chart
+//   #profile-csv #sweep-csv #copy-link #copy-curl #curl #curl-note #reset-all; button[data-gives="tiles|profile|sweep"] is
+//   disabled while that part is stale
+//   #open-model, dialog#model[open], #model-equations #erratum-1 and so on
 
 import { askAll, faultsOf, warningsOf } from "./answers.js";
 import { createAddress } from "./address.js";
 import { catalogueOf, curlCommand } from "./api.js";
 import { createChart } from "./chart.js";
 import { createControls } from "./controls.js";
+import { connectEquations } from "./equations.js";
 import { profileSpec, sweepSpec } from "./figures.js";
 import { showOrigin } from "./presets.js";
-import { createAnnouncer, showComparison, showTiles, showWarnings } from "./results.js";
+import { createAnnouncer, showComparison, showGaps, showTiles, showWarnings } from "./results.js";
 import { createRounds } from "./rounds.js";
 import { createScene } from "./scene.js";
 import { contextOf, settingsOf } from "./settings.js";
 import { connectCopy, connectCsv } from "./share.js";
-import { DEFAULTS, stateFromQuery } from "./state.js";
+import { DEFAULTS, offeredState, stateFromQuery } from "./state.js";
 import { createStatus } from "./status.js";
+import { connectValidation } from "./validation.js";
 
 const EMPTY_CATALOGUE = { wheels: new Map(), soils: new Map() };
 /** Beyond this, the status line says that the results are not yet those of the inputs. */
@@ -45,10 +54,13 @@ const SLIP_CHARTS = {
 const byId = (id) => document.getElementById(id);
 const app = byId("app");
 
-let state = stateFromQuery(location.search);
+let state = DEFAULTS;
+/** Choices of the address that nobody offers, as they stand there. */
+let notTaken = [];
 let catalogue = EMPTY_CATALOGUE;
 /** The last good outcomes: what is on the page, whatever the inputs say since. */
 const shown = { forces: null, profile: null, sweep: null };
+let validation = null;
 
 const status = createStatus(app, byId("status"));
 const announce = createAnnouncer(byId("announcement"));
@@ -64,14 +76,32 @@ const slipCharts = Object.entries(SLIP_CHARTS).map(([id, quantityName]) => ({
 }));
 const rounds = createRounds({ run: round, onUnavailable });
 const address = createAddress(() => state, () => {
-  state = stateFromQuery(location.search);
+  takeAddress();
   showControls();
   drawSlipCharts();
   rounds.request({ supersede: true });
 });
 
+/** A choice that the address makes and nobody offers gives way to its default, and that is said. */
+function takeOffered(wanted) {
+  const { state: offered, unknown } = offeredState(wanted, controls.offers);
+  state = offered;
+  notTaken.push(...unknown.map(({ key, value }) => `${key}=${value}`));
+  const isOne = notTaken.length === 1;
+  byId("notice").textContent = `The address says ${notTaken.join(", ")}, which this page does not offer: `
+    + `${isOne ? "its default stands in for it" : "their defaults stand in for them"}.`;
+  byId("notice").hidden = notTaken.length === 0;
+}
+
+function takeAddress() {
+  notTaken = [];
+  takeOffered(stateFromQuery(location.search));
+}
+
 function change(changes, { discrete }) {
   if (discrete) address.flush();
+  notTaken = [];
+  byId("notice").hidden = true;
   state = { ...state, ...changes };
   address.write({ discrete });
   showControls();
@@ -90,6 +120,9 @@ function markStale(parts) {
   for (const element of app.querySelectorAll("[data-part]")) {
     element.dataset.stale = String(parts.includes(element.dataset.part));
   }
+  // What is not of the inputs must not be carried away as if it were.
+  for (const button of app.querySelectorAll("[data-gives]")) button.disabled = parts.includes(button.dataset.gives);
+  byId("curl-note").hidden = !(parts.includes("tiles") && shown.forces);
 }
 
 function onUnavailable(error, seconds) {
@@ -104,6 +137,7 @@ async function round(signal) {
     if (catalogue === EMPTY_CATALOGUE) {
       catalogue = await catalogueOf();
       controls.fill(catalogue);
+      takeOffered(state);
       showControls();
     }
     const settings = settingsOf(state, catalogue);
@@ -120,7 +154,7 @@ async function round(signal) {
 }
 
 function showOutcomes(settings, outcomes) {
-  const { forces, sweep, profile, byMethod } = outcomes;
+  const { forces, sweep, profile, byMethod, series } = outcomes;
   if (forces.answer) {
     shown.forces = forces;
     showTiles(app, forces.answer);
@@ -134,10 +168,14 @@ function showOutcomes(settings, outcomes) {
     profileChart.draw(profileSpec(profile.answer));
   }
   if (sweep.answer) {
-    shown.sweep = { body: sweep.body, byMethod, slip: settings.slip };
+    shown.sweep = { ...sweep, series, byMethod, slip: settings.slip };
     drawSlipCharts();
+    showGaps(byId("gaps"), { series, load: settings.given.normal_load_n ?? null });
   }
-  showWarnings(byId("warnings"), warningsOf(outcomes));
+  const warnings = warningsOf(outcomes);
+  showWarnings(byId("warnings"), warnings.forces);
+  showWarnings(byId("profile-warnings"), warnings.profile);
+  showWarnings(byId("sweep-warnings"), warnings.sweep);
   const answered = { tiles: forces, scene: forces, profile, sweep };
   showFaults(faultsOf(outcomes), ALL_PARTS.filter((part) => !answered[part].answer));
 }
@@ -153,6 +191,8 @@ function showFaults(faults, stale) {
   if (placed.length) status.faults(placed);
   else status.ready();
   app.dataset.round = Number(app.dataset.round) + 1;
+  // Before the first results the page is short, and this section in view though nobody went there.
+  validation ??= connectValidation(byId("validation"));
 }
 
 connectCopy(byId("copy-curl"), () => byId("curl").textContent);
@@ -160,8 +200,8 @@ connectCopy(byId("copy-link"), () => {
   address.flush();
   return location.href;
 });
-connectCsv(byId("profile-csv"), "/v1/stress-profile", () => shown.profile?.body);
-connectCsv(byId("sweep-csv"), "/v1/slip-sweep", () => shown.sweep?.body);
+connectCsv(byId("profile-csv"), () => shown.profile);
+connectCsv(byId("sweep-csv"), () => shown.sweep);
 
 byId("reset-all").addEventListener("click", () => change(DEFAULTS, { discrete: true }));
 byId("fourth").addEventListener("change", ({ target }) => {
@@ -176,13 +216,15 @@ document.addEventListener("click", (event) => {
   event.preventDefault();
   const target = byId(hash.slice(1));
   target.focus({ preventScroll: true });
-  target.scrollIntoView({ block: "center" });
+  target.scrollIntoView({ block: target.closest("dialog") ? "start" : "center" });
 });
 
 // On a narrow page the results come below the controls, so the groups start closed.
 if (matchMedia("(max-width: 760px)").matches) {
   for (const group of document.querySelectorAll("#controls details")) group.open = false;
 }
+connectEquations(byId("model"), byId("open-model"));
 status.loading();
+takeAddress();
 showControls();
 rounds.request();

@@ -11,20 +11,29 @@ const sentenceCase = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** The name of a catalogue value in words: the field's label if the page has one, else its API name without the unit. */
 function valueName(name) {
+  if (name === "pressure_sinkage") return "Pressure–sinkage moduli";
   const field = FIELDS.find(({ pointer }) => pointer.endsWith(`/${name}`));
   return field ? field.label : sentenceCase(name.slice(0, name.length - unitSuffix(name).length).replaceAll("_", " "));
 }
 
 const unitSuffix = (name) => Object.keys(UNITS).find((suffix) => name.endsWith(suffix)) ?? "";
 
+/** Grouped by kind, where an entry has one. What an entry lacks is told before it is chosen. */
 export function fillPresets(select, entries) {
   const kinds = new Map();
+  const ungrouped = [];
   for (const entry of entries) {
-    const label = KIND_NAMES[entry.kind] ?? sentenceCase(entry.kind);
-    if (!kinds.has(entry.kind)) kinds.set(entry.kind, html("optgroup", { label }));
-    kinds.get(entry.kind).append(html("option", { value: entry.id }, entry.name));
+    const { id, name, kind, missing = [] } = entry;
+    const lacking = missing.length ? ` (lacks ${missing.map((value) => valueName(value).toLowerCase()).join(", ")})` : "";
+    const option = html("option", { value: id }, name + lacking);
+    if (!kind) {
+      ungrouped.push(option);
+      continue;
+    }
+    if (!kinds.has(kind)) kinds.set(kind, html("optgroup", { label: KIND_NAMES[kind] ?? sentenceCase(kind) }));
+    kinds.get(kind).append(option);
   }
-  select.replaceChildren(...kinds.values());
+  select.replaceChildren(...ungrouped, ...kinds.values());
 }
 
 /** A value's own source and grade are told where they are not the entry's. */

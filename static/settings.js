@@ -1,6 +1,6 @@
 // From the person's choices and the catalogue to the bodies of the API's requests.
 
-import { FIELDS, baseText, siFromText } from "./fields.js";
+import { FIELDS, siFromText, typingAdvice } from "./fields.js";
 
 const PROFILE_POINTS = 201;
 const SWEEP_POINTS = 101;
@@ -17,16 +17,21 @@ export function contextOf(state, catalogue) {
   const law = state.law ?? ownPressureSinkage.law;
   const ownContact = soil?.contact ?? { rule: "midpoint" };
   const rule = state.rule ?? ownContact.rule;
+  const ownShear = soil?.soil.shear ?? { law: "janosi_hanamoto" };
+  const shearLaw = state.shear ?? ownShear.law;
   const context = {
     wheel,
     soil,
     law,
     rule,
+    shearLaw,
     followedLaw: ownPressureSinkage.law,
     followedRule: ownContact.rule,
+    followedShear: ownShear.law,
     // The moduli of one law mean nothing to another; the exponents do.
-    pressureSinkage: law === ownPressureSinkage.law ? ownPressureSinkage : { n0: ownPressureSinkage.n0, n1: ownPressureSinkage.n1 },
+    pressureSinkage: law === ownPressureSinkage.law ? ownPressureSinkage : { n0: ownPressureSinkage.n0, n1: ownPressureSinkage.n1, n2: ownPressureSinkage.n2 },
     contact: ownContact,
+    shear: ownShear,
     braking: state.braking !== "",
   };
   const radius = FIELDS.find((field) => field.name === "radius");
@@ -37,19 +42,17 @@ export function contextOf(state, catalogue) {
 /** The groups of fields that matter now; the others are neither shown nor sent. */
 export function activeGroups(state, context) {
   const groups = new Set(["slip", state.by, "wheel", "strength", "exponent", context.law, "contact"]);
+  if (context.shearLaw === "janosi_hanamoto") groups.add("janosi_hanamoto");
+  else groups.add("peak");
+  if (context.shearLaw === "wong_residual") groups.add("residual");
+  if (state.by === "static") groups.add("static_law");
+  if (state.by === "static" && state.slip_sinkage === "linear") groups.add("linear");
   if (context.rule === "wong_reece") groups.add("wong_reece");
   if (state.method === "explicit" || state.compare) groups.add("explicit");
   return groups;
 }
 
 const lastPart = (pointer) => pointer.slice(pointer.lastIndexOf("/") + 1);
-
-function unreadableFault(field, context) {
-  const alternative = field.word ? ` or “${field.word}”` : "";
-  const usual = baseText(field, context);
-  const example = usual ? `, such as ${usual}` : "";
-  return { pointer: field.pointer, local: true, detail: `Type a number${alternative}${example}.` };
-}
 
 /**
  * Everything a round of requests needs. `unreadable` lists the faults of fields whose text is no number: such a state has
@@ -65,7 +68,7 @@ export function settingsOf(state, catalogue) {
     const text = state[field.key];
     if (text === null) continue;
     const value = siFromText(field, text);
-    if (value === null) unreadable.push(unreadableFault(field, context));
+    if (value === null) unreadable.push({ pointer: field.pointer, local: true, detail: typingAdvice(field, text, context) });
     else values.set(field.name, value);
   }
 
@@ -75,9 +78,14 @@ export function settingsOf(state, catalogue) {
   const complete = (names) => Object.fromEntries(
     active.filter((field) => names.includes(field.group)).map((field) => [lastPart(field.pointer), valueOf(field)]));
 
-  const soil = { preset: state.soil, ...overrides("strength") };
-  // The API replaces the law as a whole, so one changed modulus takes the preset's others along.
-  if (state.law !== null || touched(context.law).length || touched("exponent").length) {
+  const soil = { preset: state.soil, ...overrides("strength"), ...overrides("janosi_hanamoto") };
+  if (state.shear !== null || touched("residual").length || touched("peak").length) {
+    soil.shear = { law: context.shearLaw, ...complete(["residual", "peak"]) };
+  }
+  // The API replaces the law as a whole, so one changed modulus takes the preset's others along. Where the preset's law is
+  // not complete, spelling it out lets the API name the very moduli that are wanting.
+  const isIncomplete = context.soil?.missing?.includes("pressure_sinkage");
+  if (state.law !== null || isIncomplete || touched(context.law).length || touched("exponent").length) {
     soil.pressure_sinkage = { law: context.law, ...complete(LAW_GROUPS), ...complete(["exponent"]) };
   }
   const common = { wheel: { preset: state.wheel, ...overrides("wheel") }, soil };
@@ -89,10 +97,13 @@ export function settingsOf(state, catalogue) {
     unreadable,
     common,
     slip: complete(["slip"]).slip,
-    given: complete([state.by]),
+    given: {
+      ...complete([state.by]),
+      ...(state.by === "static" && state.slip_sinkage !== "lyasko" && { slip_sinkage: { law: state.slip_sinkage, ...complete(["linear"]) } }),
+    },
     givenName: GIVEN[state.by],
     method: state.method,
-    methods: state.compare && METHODS.includes(state.method) ? METHODS : [state.method],
+    methods: state.compare ? METHODS : [state.method],
     normalStressRadius: state.normal_stress_radius,
     peakSinkage: state.peak_sinkage,
     lambdas: overrides("explicit"),
@@ -110,6 +121,17 @@ function options(settings, method) {
     ...(settings.normalStressRadius !== "rim" && { normal_stress_radius: settings.normalStressRadius }),
     ...(settings.peakSinkage && CLOSED_FORMS.includes(method) && { peak_sinkage: settings.peakSinkage }),
     ...(method === "explicit" && settings.lambdas),
+  };
+}
+
+/** One body for all methods; the first is the one that the others are compared with. */
+export function compareBody(settings) {
+  const { method, ...shared } = sweepBody(settings, settings.method);
+  return {
+    ...shared,
+    methods: settings.methods,
+    ...(settings.peakSinkage && { peak_sinkage: settings.peakSinkage }),
+    ...settings.lambdas,
   };
 }
 

@@ -52,12 +52,11 @@ export function connectCopy(button, text) {
   onClick(button, "Copied", () => copyText(text()));
 }
 
-/** `body()` gives the request whose answer is on the page, so that the file holds what is shown. */
-export function connectCsv(button, path, body) {
+/** `request()` gives the path and the body whose answer is on the page, so that the file holds what is shown. */
+export function connectCsv(button, request) {
   onClick(button, "Saved", async () => {
-    const request = body();
-    if (!request) throw new Error("There is nothing to save yet.");
-    const name = [path.split("/").at(-1), request.wheel.preset, request.soil.preset].join("_");
-    saveFile(`${name}.csv`, await postForCsv(path, request), "text/csv");
+    const { path, body } = request();
+    const name = [path.split("/").at(-1), body.wheel.preset, body.soil.preset].join("_");
+    saveFile(`${name}.csv`, await postForCsv(path, body), "text/csv");
   });
 }

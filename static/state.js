@@ -14,7 +14,9 @@ const CHOICES = {
   compare: "",
   braking: "",
   law: null,
+  shear: null,
   rule: null,
+  slip_sinkage: "lyasko",
   normal_stress_radius: "rim",
   peak_sinkage: "",
   fourth: "tractive_efficiency",
@@ -25,9 +27,16 @@ export const DEFAULTS = { ...CHOICES, ...Object.fromEntries(FIELDS.map((field) =
 export function stateFromQuery(query) {
   const state = { ...DEFAULTS };
   for (const [key, value] of new URLSearchParams(query)) {
-    if (key in DEFAULTS) state[key] = value;
+    if (Object.hasOwn(DEFAULTS, key)) state[key] = value;
   }
   return state;
+}
+
+/** The state with the default for each choice that `offers(key, value)` denies, and those choices. */
+export function offeredState(state, offers) {
+  const unknown = Object.keys(CHOICES).filter((key) => state[key] !== CHOICES[key] && !offers(key, state[key]));
+  const replaced = Object.fromEntries(unknown.map((key) => [key, CHOICES[key]]));
+  return { state: { ...state, ...replaced }, unknown: unknown.map((key) => ({ key, value: state[key] })) };
 }
 
 export function queryFromState(state) {

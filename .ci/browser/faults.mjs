@@ -1,14 +1,37 @@
-// What is wrong with an input is told at that input, in the service's words, until it is put right.
+// What is wrong with an input is told at that input, in the service's words and the input's unit, until it is put right.
 import assert from "node:assert/strict";
 import { LETTER, faultOf } from "./support/api.mjs";
 import { check, run } from "./support/checks.mjs";
 import { assertAnswered, box, curlBody, faulty, open, ready, results } from "./support/page.mjs";
 
-async function assertFault(page, { name, pointer, told }) {
+const NUMBER = /(?<![\w.])-?\d+(?:\.\d+)?(?:e-?\d+)?/g;
+/** Six digits are shown. */
+const SHOWN_PRECISION = 1e-5;
+
+/** The service's sentence with its numbers in another unit, each with the unit beside it. */
+function assertConverted(shown, { detail, unit, perSi }) {
+  const plain = shown.replaceAll("\u00a0", " ");
+  const numbers = [...plain.matchAll(NUMBER)];
+  const expected = detail.match(NUMBER).map((number) => Number(number) * perSi);
+  assert.equal(numbers.length, expected.length, `numbers in "${plain}"`);
+  numbers.forEach((match, index) => {
+    const [number] = match;
+    assert.ok(Math.abs(number - expected[index]) <= SHOWN_PRECISION * Math.abs(expected[index]), `${number} in "${plain}" is not ${expected[index]}`);
+    assert.ok(plain.slice(match.index + number.length).trimStart().startsWith(unit), `${number} in "${plain}" has not the unit ${unit}`);
+  });
+  const words = (text) => text.replace(NUMBER, "").replaceAll(unit, "").replace(/\s+/g, "");
+  assert.equal(words(plain), words(detail));
+}
+
+/** `told` is in the fault as it stands; `converted` is the service's sentence, with the unit it is to be shown in. */
+async function assertFault(page, { name, pointer, told, converted }) {
   await faulty(page);
   const fault = page.locator(`[data-fault="${pointer}"]`);
   assert.ok(await fault.isVisible(), `the fault at ${pointer} is to be seen`);
-  assert.ok((await fault.innerText()).includes(told), `"${await fault.innerText()}" is not "${told}"`);
+  const shown = await fault.innerText();
+  if (converted) assertConverted(shown, converted);
+  told ??= shown;
+  assert.ok(shown.includes(told), `"${shown}" is not "${told}"`);
   assert.equal(await box(page, name).getAttribute("aria-invalid"), "true");
   assert.equal(await page.locator('[aria-invalid="true"]').count(), 1, "number of inputs marked as wrong");
   assert.ok((await page.innerText("#status")).includes(told), await page.innerText("#status"));
@@ -27,9 +50,9 @@ check("a radius out of range", async (page) => {
   await open(page);
   const before = await results(page);
   for (const [text, radius_m] of [["-5", -0.005], ["0", 0]]) {
-    const told = await faultOf({ ...LETTER, wheel: { preset: "letter", radius_m } }, "/wheel/radius_m");
+    const detail = await faultOf({ ...LETTER, wheel: { preset: "letter", radius_m } }, "/wheel/radius_m");
     await box(page, "radius").fill(text);
-    await assertFault(page, { name: "radius", pointer: "/wheel/radius_m", told });
+    await assertFault(page, { name: "radius", pointer: "/wheel/radius_m", converted: { detail, unit: "mm", perSi: 1000 } });
   }
   assert.deepEqual(await results(page), before);
   await box(page, "radius").fill("200");
@@ -39,11 +62,73 @@ check("a radius out of range", async (page) => {
 
 check("a negative cohesion", async (page) => {
   await open(page);
-  const told = await faultOf({ ...LETTER, soil: { preset: "letter-sand", cohesion_pa: -1000 } }, "/soil/cohesion_pa");
+  const detail = await faultOf({ ...LETTER, soil: { preset: "letter-sand", cohesion_pa: -1000 } }, "/soil/cohesion_pa");
   await box(page, "cohesion").fill("-1");
-  await assertFault(page, { name: "cohesion", pointer: "/soil/cohesion_pa", told });
+  await assertFault(page, { name: "cohesion", pointer: "/soil/cohesion_pa", converted: { detail, unit: "kPa", perSi: 1e-3 } });
   await page.click('[data-reset="cohesion"]');
   await assertHealed(page, { name: "cohesion", pointer: "/soil/cohesion_pa" });
+}, { refused: true });
+
+check("a friction angle beyond the upright is told in degrees", async (page) => {
+  await open(page);
+  const detail = await faultOf({ ...LETTER, soil: { preset: "letter-sand", friction_angle_rad: 2 } }, "/soil/friction_angle_rad");
+  await box(page, "friction_angle").fill(String(360 / Math.PI));
+  await assertFault(page, { name: "friction_angle", pointer: "/soil/friction_angle_rad", converted: { detail, unit: "°", perSi: 180 / Math.PI } });
+  assert.ok((await page.innerText("#status")).includes("90°"), await page.innerText("#status"));
+}, { refused: true });
+
+check("a slip beyond spinning is told in per cent", async (page) => {
+  await open(page);
+  const detail = await faultOf({ ...LETTER, slip: 1.5 }, "/slip");
+  await box(page, "slip").fill("150");
+  await assertFault(page, { name: "slip", pointer: "/slip", converted: { detail, unit: "%", perSi: 100 } });
+}, { refused: true });
+
+check("lengths within a sentence are told in millimetres", async (page) => {
+  await open(page);
+  await box(page, "sinkage").fill("300");
+  await assertFault(page, { name: "sinkage", pointer: "/sinkage_m", told: "the sinkage 300\u00a0mm must be greater than 0 and at most the wheel's radius 200\u00a0mm" });
+}, { refused: true });
+
+check("a comma is not guessed at", async (page) => {
+  await open(page);
+  const before = await results(page);
+  for (const [text, told] of [["1,000", "type 1000 or 1.000"], ["12,5", "without a comma: 12.5"], ["1,000,000", "without a comma: 1000000"]]) {
+    await box(page, "width").fill(text);
+    await assertFault(page, { name: "width", pointer: "/wheel/width_m", told });
+    assert.deepEqual(await results(page), before);
+  }
+  await box(page, "width").fill("100");
+  await assertHealed(page, { name: "width", pointer: "/wheel/width_m" });
+});
+
+check("the request of former inputs cannot be taken for that of these", async (page) => {
+  await open(page);
+  const gives = ["#copy-curl", "#profile-csv", "#sweep-csv"];
+  const assertGives = async (isGiven) => {
+    for (const button of gives) assert.equal(await page.isEnabled(button), isGiven, `${button} can be used`);
+    assert.equal(await page.isHidden("#curl-note"), isGiven, "a note tells what the command is of");
+    const { opacity, userSelect } = await page.$eval("#curl", (curl) => {
+      const style = getComputedStyle(curl);
+      return { opacity: style.opacity, userSelect: style.userSelect };
+    });
+    assert.deepEqual([Number(opacity) === 1, userSelect !== "none"], [isGiven, isGiven]);
+  };
+  await assertGives(true);
+  await page.selectOption("#soil", "robomech2020-sand");
+  await faulty(page);
+  // The dimming takes a moment.
+  await page.waitForTimeout(200);
+  await assertGives(false);
+  await box(page, "shear_modulus").fill("10");
+  await ready(page);
+  await page.waitForTimeout(200);
+  await assertGives(true);
+  assert.equal((await curlBody(page)).soil.preset, "robomech2020-sand");
+  await box(page, "shear_modulus").fill("ten");
+  await faulty(page);
+  await page.waitForTimeout(200);
+  await assertGives(false);
 }, { refused: true });
 
 check("two faults at once are both told", async (page) => {

@@ -67,6 +67,20 @@ check("a click in a chart over slip sets the slip", async (page) => {
   assert.equal(await box(page, "slip").inputValue(), "45");
 });
 
+check("a click on the cursor's own dot sets the slip as well", async (page) => {
+  await open(page);
+  for (const percent of [60, 61]) {
+    const { pxOf } = await drawn(page, "#normal-force-chart");
+    await pointAt(page, "#normal-force-chart", pxOf(percent));
+    const { x, y, width, height } = await page.locator("#normal-force-chart .cursor-dot").boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.up();
+    await ready(page);
+    assert.equal((await assertShown(page)).slip, percent / 100);
+  }
+});
+
 check("with a normal load the sinkage is the one that carries it", async (page) => {
   await open(page);
   await page.click("label:has(#by-load)");
@@ -95,7 +109,8 @@ check("a load that the soil does not carry is a fault of the load", async (page)
   await open(page, "?by=load");
   await box(page, "normal_load").fill("50000");
   await faulty(page);
-  const told = await faultOf({ ...(await curlBody(page)), normal_load_n: 50000 }, "/normal_load_n");
+  const told = (await faultOf({ ...(await curlBody(page)), normal_load_n: 50000 }, "/normal_load_n"))
+    .replace(/a sinkage of ([\d.]+) m$/, (_, sinkage) => `a sinkage of ${Number((sinkage * 1000).toPrecision(6))}\u00a0mm`);
   const fault = page.locator('[data-fault="/normal_load_n"]');
   assert.ok(await fault.isVisible(), "the fault is to be seen");
   assert.ok((await fault.innerText()).includes(told), await fault.innerText());

@@ -34,10 +34,19 @@ check("nothing scrolls sideways on a narrow screen", async (page) => {
   await assertFits(page);
   await openGroups(page);
   await assertFits(page);
-  await open(page, "?soil=soil-direct-90-smooth&method=explicit&compare=1&braking=1&by=load&load_n=150&rule=wong_reece&law=reece"
+  await open(page, "?soil=soil-direct-90-smooth&method=explicit&compare=1&braking=1&by=load&load_n=150&rule=wong_reece&law=reece&shear=wong_residual&fourth=unknown"
     + "&kc_reece=1000&kphi_reece=1000&gamma_kn_m3=15&lug_mm=12&slip_pct=-20");
   await openGroups(page);
   await assertFits(page);
+}, { context: NARROW });
+
+check("the equations fit on a narrow screen", async (page) => {
+  await page.goto(url("#model"));
+  await page.waitForSelector("#model-references");
+  await assertFits(page);
+  const cut = await page.$$eval("#model *", (all) => all.filter(({ scrollWidth, clientWidth }) => clientWidth && scrollWidth > clientWidth + 1)
+    .map(({ tagName, className }) => `${tagName}.${className}`));
+  assert.deepEqual(cut, [], "parts that have to be scrolled sideways");
 }, { context: NARROW });
 
 check("a fault fits on a narrow screen and opens its group", async (page) => {
@@ -72,7 +81,8 @@ function contrasts() {
   });
   return {
     background: behind(document.body),
-    texts: [...of("h1", "color"), ...of("[data-result]", "color"), ...of("label", "color"), ...of("#status", "color"), ...of("#curl", "color"),
+    texts: [...of("h1", "color"), ...of("[data-result]", "color"), ...of("label", "color"), ...of("#status", "color"), ...of("#model :is(a, th, td, li)", "color"), ...of("#gap-table :is(th, td, .share)", "color"),
+       ...of("#curl", "color"),
       ...of(".tick-label", "fill"), ...of(".scene-label", "fill")],
     graphics: [...of(".plot path.curve", "stroke"), ...of("#scene line.ray", "stroke")],
   };
@@ -87,13 +97,15 @@ async function assertReadable(page) {
 }
 
 check("the dark scheme is dark and readable", async (page) => {
-  await open(page, "?compare=1");
+  await open(page, "?compare=1#model");
+  await page.waitForSelector("#model-references");
   const background = await assertReadable(page);
   assert.ok(background < 0.1, `luminance of the background ${background}`);
 }, { context: { colorScheme: "dark" } });
 
 check("the light scheme is light and readable", async (page) => {
-  await open(page, "?compare=1");
+  await open(page, "?compare=1#model");
+  await page.waitForSelector("#model-references");
   const background = await assertReadable(page);
   assert.ok(background > 0.8, `luminance of the background ${background}`);
 }, { context: { colorScheme: "light" } });

@@ -42,6 +42,62 @@ check("the methods are compared in curves", async (page) => {
   }
 });
 
+/** The gap as the page's readers would work it out from the curves. */
+function gapBetween(column, reference) {
+  const differences = column.map((value, index) => [value, reference[index]]).filter((pair) => pair.every((each) => each !== null))
+    .map(([value, other]) => Math.abs(value - other));
+  const rms = Math.sqrt(differences.reduce((sum, each) => sum + each * each, 0) / differences.length);
+  return { rms, max_abs: Math.max(...differences) };
+}
+
+/** Sums in another order differ by rounding. */
+const ROUNDING = 1e-9;
+
+for (const [query, load] of [["?compare=1", null], ["?compare=1&by=load&load_n=60&braking=1&method=linearised", 60]]) {
+  check(`the gap between the methods is told over slip${load ? " at a load" : ""}`, async (page) => {
+    await open(page, query);
+    assert.ok(await page.isVisible("#gap-table"), "the table is to be seen");
+    const rows = await page.$$eval("#gap-table tr[data-method]", (found) => found.map((row) => ({
+      method: row.dataset.method, name: row.dataset.quantity,
+      cells: Object.fromEntries([...row.querySelectorAll("td")].map(({ dataset, innerText }) => [dataset.gap, { ...dataset, text: innerText }])),
+    })));
+    assert.deepEqual(rows.map(({ method, name }) => [method, name]), METHODS.slice(1).flatMap((method) => FORCES.map((name) => [method, name])));
+    const { sinkage_m, ...rest } = LETTER;
+    const asked = load ? { ...rest, normal_load_n: load } : LETTER;
+    const columnsOf = async (method) => (await ask("/v1/slip-sweep", overSlip({ ...asked, method }, load ? -1 : 0))).columns;
+    const reference = await columnsOf("quadrature");
+    for (const { method, name, cells } of rows) {
+      const gaps = gapBetween((await columnsOf(method))[name], reference[name]);
+      const largest = Math.max(...reference[name].map(Math.abs));
+      const scale = load && name !== "torque_n_m" ? load : largest;
+      for (const kind of ["rms", "max_abs"]) {
+        const { value, share, text } = cells[kind];
+        assert.ok(Math.abs(value - gaps[kind]) <= ROUNDING * largest, `${method} ${name} ${kind} ${value} is not ${gaps[kind]}`);
+        assert.ok(Math.abs(share - gaps[kind] / scale) <= ROUNDING, `${method} ${name} ${kind}: a share of ${share}`);
+        if (load && name === "normal_force_n") {
+          assert.equal(text, "none");
+          continue;
+        }
+        const [, absolute, percent] = /^(.+) \((.+)\u00a0%\)$/.exec(text) ?? assert.fail(text);
+        assertReads(absolute, Number(value), `${method} ${name} ${kind}`);
+        assert.ok(Math.abs(percent - share * 100) <= 0.05 + ROUNDING, text);
+      }
+    }
+  });
+}
+
+check("the compared curves and gaps come from one request", async (page) => {
+  const asked = [];
+  page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  await open(page, "?compare=1");
+  assert.equal(asked.filter((path) => path === "/v1/compare").length, 1);
+  assert.equal(asked.filter((path) => path === "/v1/slip-sweep").length, 0);
+  await page.uncheck("#compare");
+  await ready(page);
+  assert.ok(await page.isHidden("#gaps"), "one method has no gap");
+  assert.equal(asked.filter((path) => path === "/v1/compare").length, 1);
+});
+
 check("a chosen method alone gives its own forces and curves", async (page) => {
   await open(page);
   for (const method of ["linearised", "explicit"]) {

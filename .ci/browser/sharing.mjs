@@ -51,9 +51,39 @@ check("the address holds all inputs", async (page) => {
   assert.equal(body.lambda_a, "exact");
 });
 
-check("an address that names an unknown quantity still gives its forces", async (page) => {
-  await open(page, "?slip_pct=30&fourth=nothing_of_the_kind");
+check("choices of the address that nobody offers give way to the defaults, and this is said", async (page) => {
+  const choices = ["wheel", "soil", "method", "by", "compare", "braking", "law", "shear", "rule", "slip_sinkage", "normal_stress_radius",
+    "peak_sinkage", "fourth"];
+  const stateOf = (each) => each.$$eval("#app input, #app select", (inputs) => inputs.map(({ id, type, value, checked }) =>
+    [id, ["checkbox", "radio"].includes(type) ? checked : value]));
+  await open(page, "?slip_pct=30");
+  const usual = await stateOf(page);
+  assert.ok(await page.isHidden("#notice"), "nothing is amiss");
+  for (const unknown of [...choices.map((choice) => `${choice}=unknown`), choices.map((choice) => `${choice}=constructor`).join("&")]) {
+    await open(page, `?slip_pct=30&${unknown}`);
+    assert.deepEqual(await stateOf(page), usual, unknown);
+    assert.equal((await assertAnswered(page)).slip, 0.3);
+    for (const part of unknown.split("&")) assert.ok((await page.innerText("#notice")).includes(part), await page.innerText("#notice"));
+    assert.ok(await page.locator("#fourth-chart .plot path.curve").isVisible(), "the fourth quantity is drawn");
+  }
+  await box(page, "slip").fill("40");
+  await ready(page);
+  assert.ok(await page.isHidden("#notice"), "the notice goes with the next change");
+});
+
+check("going back to an address with an unknown choice still gives its forces", async (page) => {
+  await open(page);
+  await page.evaluate(() => {
+    history.pushState(null, "", "?slip_pct=30&fourth=unknown");
+    history.pushState(null, "", "?slip_pct=40");
+  });
+  const round = Number(await page.getAttribute("#app", "data-round"));
+  await page.goBack();
+  await page.waitForFunction((last) => Number(document.querySelector("#app").dataset.round) > last, round);
+  await ready(page);
   assert.equal((await assertAnswered(page)).slip, 0.3);
+  assert.equal(await page.inputValue("#fourth"), "tractive_efficiency");
+  assert.match(await page.innerText("#notice"), /fourth=unknown/);
 });
 
 check("the curl command gives the shown forces in a shell", async (page) => {
@@ -94,6 +124,16 @@ check("the file of the forces over slip holds what is drawn", async (page) => {
   assert.equal(table.length, 101);
   const { columns } = await ask("/v1/slip-sweep", overSlip(await curlBody(page), -1));
   assert.deepEqual(table, tableOf(columns, header));
+});
+
+check("the file of compared methods holds all their curves", async (page) => {
+  await open(page, "?compare=1");
+  const { header, table } = await savedBy(page, "#sweep-csv");
+  const { method, ...body } = overSlip(await curlBody(page));
+  const { slip, series } = await ask("/v1/compare", body);
+  const columns = Object.fromEntries(series.flatMap((each) => Object.entries(each.columns).map(([name, column]) => [`${each.method}.${name}`, column])));
+  assert.equal(header.split(",").length, 1 + series.length * (SWEEP_HEADER.split(",").length - 1));
+  assert.deepEqual(table, tableOf({ ...columns, slip }, header));
 });
 
 await run();

@@ -1,5 +1,6 @@
 //! `GET /v1/wheels`, `GET /v1/soils` and their single entries.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use axum::body::Bytes;
@@ -8,10 +9,12 @@ use axum::response::Response;
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use super::responses::{Limits, UnknownName};
+use super::responses::{InvalidQuery, Limits, UnknownName};
 use crate::catalogue::{self, SoilView, WheelView};
-use crate::compute::{json, json_text};
+use crate::compute::{csv_text, json, json_text};
+use crate::extract::{Asked, Format, FormatParameter};
 use crate::problem::Problem;
+use crate::request::{SoilsDto, WheelsDto};
 use crate::wire::nearest;
 
 /// The wheels of the catalogue.
@@ -30,32 +33,81 @@ struct SoilsReply {
 
 /// The wheels of the catalogue
 ///
-/// Every value with its source; `id` is the name for `preset`.
-#[utoipa::path(get, path = "/v1/wheels", tag = "catalogue", responses((status = 200, description = "The wheels", body = WheelsReply), Limits))]
-pub(crate) async fn wheels() -> Response {
-    static TEXT: LazyLock<Bytes> =
-        LazyLock::new(|| text(&WheelsReply { wheels: catalogue::wheels().iter().map(|record| record.view()).collect() }));
-    json_text(TEXT.clone())
+/// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add, `assumed` what it may.
+/// With `Accept: text/csv` the values come as a table, one row per wheel.
+#[utoipa::path(
+    get,
+    path = "/v1/wheels",
+    tag = "catalogue",
+    params(WheelsDto, FormatParameter),
+    responses((status = 200, description = "The wheels", content((WheelsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
+)]
+pub(crate) async fn wheels(Asked { query: kind, format }: Asked<WheelsDto>) -> Response {
+    static LISTS: LazyLock<Lists> = LazyLock::new(|| {
+        Lists::of(&catalogue::wheel_kinds(), |kind| {
+            let records = || catalogue::wheels().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
+            let json = text(&WheelsReply { wheels: records().map(|record| record.view()).collect() });
+            Texts { json, csv: catalogue::wheels_table(records()).into() }
+        })
+    });
+    LISTS.answer(kind, format)
 }
 
 /// The soils of the catalogue
 ///
-/// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add.
-#[utoipa::path(get, path = "/v1/soils", tag = "catalogue", responses((status = 200, description = "The soils", body = SoilsReply), Limits))]
-pub(crate) async fn soils() -> Response {
-    static TEXT: LazyLock<Bytes> =
-        LazyLock::new(|| text(&SoilsReply { soils: catalogue::soils().iter().map(|record| record.view()).collect() }));
-    json_text(TEXT.clone())
+/// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add. With
+/// `Accept: text/csv` the values come as a table, one row per soil.
+#[utoipa::path(
+    get,
+    path = "/v1/soils",
+    tag = "catalogue",
+    params(SoilsDto, FormatParameter),
+    responses((status = 200, description = "The soils", content((SoilsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
+)]
+pub(crate) async fn soils(Asked { query: kind, format }: Asked<SoilsDto>) -> Response {
+    static LISTS: LazyLock<Lists> = LazyLock::new(|| {
+        Lists::of(&catalogue::soil_kinds(), |kind| {
+            let records = || catalogue::soils().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
+            let json = text(&SoilsReply { soils: records().map(|record| record.view()).collect() });
+            Texts { json, csv: catalogue::soils_table(records()).into() }
+        })
+    });
+    LISTS.answer(kind, format)
 }
 
-/// A list that does not change is written once.
+/// A list in both formats.
+struct Texts {
+    json: Bytes,
+    csv: Bytes,
+}
+
+/// The list of all entries, and that of each kind: they do not change, so each is written once.
+struct Lists {
+    all: Texts,
+    by_kind: BTreeMap<&'static str, Texts>,
+}
+
+impl Lists {
+    fn of(kinds: &[&'static str], list: impl Fn(Option<&'static str>) -> Texts) -> Self {
+        Self { all: list(None), by_kind: kinds.iter().map(|&kind| (kind, list(Some(kind)))).collect() }
+    }
+
+    fn answer(&self, kind: Option<&'static str>, format: Format) -> Response {
+        let texts = kind.and_then(|kind| self.by_kind.get(kind)).unwrap_or(&self.all);
+        match format {
+            Format::Json => json_text(texts.json.clone()),
+            Format::Csv => csv_text(texts.csv.clone()),
+        }
+    }
+}
+
 fn text<T: Serialize>(list: &T) -> Bytes {
     serde_json::to_vec(list).unwrap_or_default().into()
 }
 
 /// One wheel of the catalogue
 ///
-/// Every value with its source.
+/// Every value with its source; `missing` lists what a request has to add, `assumed` what it may.
 #[utoipa::path(
     get,
     path = "/v1/wheels/{id}",
@@ -83,7 +135,7 @@ pub(crate) async fn soil(Path(id): Path<String>) -> Result<Response, Problem> {
     json(&record.view())
 }
 
-fn unknown(kind: &str, id: &str, known: &[&str]) -> Problem {
+pub(super) fn unknown(kind: &str, id: &str, known: &[&str]) -> Problem {
     let hint =
         nearest(id, known).map_or_else(|| format!("known are {}", known.join(", ")), |near| format!("did you mean `{near}`?"));
     Problem::NotFound(format!("the catalogue has no {kind} of that name; {hint}"))

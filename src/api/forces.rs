@@ -1,15 +1,15 @@
-//! `POST /v1/forces`.
+//! `POST` and `GET /v1/forces`.
 
 use axum::extract::State;
 use axum::response::Response;
 
-use super::responses::{InvalidBody, Limits};
+use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
 use crate::compute::{Cost, written};
-use crate::extract::{Format, Input};
+use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ForcesReply;
-use crate::request::ForcesDto;
+use crate::request::{ForcesDto, ForcesQuery};
 
 /// Forces and torque of a wheel at one operating point
 ///
@@ -27,6 +27,29 @@ pub(crate) async fn forces(
     format: Format,
     Input(query): Input<ForcesDto>,
 ) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+/// Forces and torque of a wheel at one operating point, asked by a query
+///
+/// The twin of the POST: a field is a parameter, one inside an object has the object's name and a dot before its own
+/// (`soil.cohesion_pa=200`). The answer, the checks and the problems are those of the POST; their pointers
+/// (`/soil/cohesion_pa`) have a slash for the dot.
+#[utoipa::path(
+    get,
+    path = "/v1/forces",
+    tag = "forces",
+    params(ForcesDto, FormatParameter),
+    responses((status = 200, description = "Forces and torque of a wheel at one operating point", content((ForcesReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
+)]
+pub(crate) async fn forces_of_query(
+    State(service): State<Service>,
+    Asked { query, format }: Asked<ForcesDto>,
+) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+async fn answer(service: &Service, query: ForcesQuery, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_points(&query.operation, 1);
     let work = move || {
         let reply = ForcesReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;

@@ -4,9 +4,11 @@ use std::sync::LazyLock;
 
 use axum::response::Response;
 use serde::{Deserialize, Serialize};
+use terramechanics::{Caution, CautionKind};
 use utoipa::ToSchema;
 
 use super::responses::Limits;
+use crate::catalogue::{self, Gravity};
 use crate::compute::json_text;
 
 /// What the service computes.
@@ -29,6 +31,9 @@ pub(crate) struct Model {
     refusals: Vec<String>,
     /// The warnings that results may carry.
     warnings: Vec<WarningNote>,
+    /// Gravity of the bodies where wheels roll, for loads and unit weights.
+    #[serde(default)]
+    gravity: Vec<Gravity>,
     /// The papers named.
     references: Vec<String>,
 }
@@ -91,17 +96,50 @@ struct Erratum {
 struct WarningNote {
     code: String,
     meaning: String,
+    /// The quantity that leaves its range, with its unit, where the warning is about one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    quantity: Option<String>,
+    /// Lower end of the range.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    lower: Option<f64>,
+    /// Upper end of the range.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    upper: Option<f64>,
+    /// Where the range comes from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    source: Option<String>,
+}
+
+impl From<&CautionKind> for WarningNote {
+    fn from(kind: &CautionKind) -> Self {
+        let range = kind.range.as_ref();
+        Self {
+            code: kind.code.into(),
+            meaning: kind.meaning.into(),
+            quantity: range.map(|range| range.quantity.into()),
+            lower: range.and_then(|range| range.lower),
+            upper: range.and_then(|range| range.upper),
+            source: range.map(|range| range.source.into()),
+        }
+    }
 }
 
 static TEXT: LazyLock<String> = LazyLock::new(|| {
-    let model: Model = serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    let mut model: Model =
+        serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    model.warnings.splice(0..0, Caution::KINDS.into_iter().map(WarningNote::from));
+    model.gravity = catalogue::gravity().to_vec();
     serde_json::to_string_pretty(&model).unwrap_or_default()
 });
 
 /// The equations as implemented, and the errata
 ///
-/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, and where the letter as
-/// printed is not what is computed.
+/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, gravity, and where the
+/// letter as printed is not what is computed.
 #[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), Limits))]
 pub(crate) async fn model() -> Response {
     json_text(TEXT.as_str())
@@ -123,15 +161,19 @@ mod tests {
             assert!(model.equations.iter().any(|equation| equation.letter.contains(&number)), "equation {number}");
         }
         let codes: Vec<&str> = model.warnings.iter().map(|warning| warning.code.as_str()).collect();
+        let mut distinct = codes.clone();
+        distinct.sort_unstable();
+        distinct.dedup();
+        assert_eq!(distinct.len(), codes.len(), "each code is listed once");
         for code in [
-            "slip_gain_extrapolated",
-            "slip_sinkage_extrapolated",
-            "integration_error",
+            "needs_exponent_below_three",
+            "needs_unit_weight",
+            "needs_driving_slip",
+            "needs_janosi_hanamoto",
+            "no_linear_stresses",
             "mirrored",
             "no_solution",
             "points_raised",
-            "bulldozing_left_out",
-            "bulldozing_not_mobilised",
         ] {
             assert!(codes.contains(&code), "{code}");
         }

@@ -1,21 +1,34 @@
 //! The failures that operations share, for the contract.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use utoipa::openapi::response::{Response, ResponseBuilder};
 use utoipa::openapi::{ContentBuilder, Ref, RefOr};
 use utoipa::{IntoResponses, ToSchema};
 
-use crate::problem::ProblemBody;
+use crate::problem::{Problem, ProblemBody};
+use crate::wire::FieldFault;
 
-fn problems(list: &[(&str, &str)]) -> BTreeMap<String, RefOr<Response>> {
-    list.iter()
-        .map(|(status, description)| {
-            let content = ContentBuilder::new().schema(Some(Ref::from_schema_name(ProblemBody::name()))).build();
-            let response = ResponseBuilder::new().description(*description).content("application/problem+json", content).build();
-            ((*status).to_owned(), RefOr::T(response))
+/// Each problem with what brings it about, as it is documented under its status.
+fn problems(list: Vec<(Problem, &str)>) -> BTreeMap<String, RefOr<Response>> {
+    list.into_iter()
+        .map(|(problem, description)| {
+            let status = problem.status().as_str().to_owned();
+            let content = ContentBuilder::new()
+                .schema(Some(Ref::from_schema_name(ProblemBody::name())))
+                .example(serde_json::to_value(ProblemBody::from(problem)).ok())
+                .build();
+            let response = ResponseBuilder::new().description(description).content("application/problem+json", content).build();
+            (status, RefOr::T(response))
         })
         .collect()
+}
+
+/// A refusal, for example.
+fn refused() -> Problem {
+    let pointer = "/soil/cohesion_pa".into();
+    Problem::Invalid(vec![FieldFault { pointer, detail: "must be from 0 to 100000000, not -5".into() }])
 }
 
 /// What can be wrong with a body.
@@ -23,13 +36,23 @@ pub(super) struct InvalidBody;
 
 impl IntoResponses for InvalidBody {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
-        problems(&[
-            ("400", "The body is not JSON; line and column of the fault"),
-            ("408", "The body did not arrive in time"),
-            ("413", "The body is too large"),
-            ("415", "The body is not declared as JSON"),
-            ("422", "The request cannot be computed; every fault with a JSON pointer"),
+        let not_json = Problem::NotJson { detail: "expected `,` or `}` at line 1 column 24".into(), line: 1, column: 24 };
+        problems(vec![
+            (not_json, "The body is not JSON; line and column of the fault"),
+            (Problem::SlowBody(Duration::from_secs(10)), "The body did not arrive in time"),
+            (Problem::TooLarge { limit: 1 << 20 }, "The body is too large"),
+            (Problem::NotJsonType, "The body is not declared as JSON"),
+            (refused(), "The request cannot be computed; every fault with a JSON pointer"),
         ])
+    }
+}
+
+/// What can be wrong with a query.
+pub(super) struct InvalidQuery;
+
+impl IntoResponses for InvalidQuery {
+    fn responses() -> BTreeMap<String, RefOr<Response>> {
+        problems(vec![(refused(), "The request cannot be computed; every fault with a JSON pointer")])
     }
 }
 
@@ -38,10 +61,10 @@ pub(super) struct Limits;
 
 impl IntoResponses for Limits {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
-        problems(&[
-            ("405", "The method is not allowed; the header Allow lists those that are"),
-            ("500", "The service failed; the request id leads to the cause in the log"),
-            ("503", "The service is busy or the answer took too long; the header Retry-After says when to try again"),
+        problems(vec![
+            (Problem::MethodNotAllowed, "The method is not allowed; the header Allow lists those that are"),
+            (Problem::Internal, "The service failed; the request id leads to the cause in the log"),
+            (Problem::Busy, "The service is busy or the answer took too long; the header Retry-After says when to try again"),
         ])
     }
 }
@@ -51,6 +74,7 @@ pub(super) struct UnknownName;
 
 impl IntoResponses for UnknownName {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
-        problems(&[("404", "The catalogue has no such entry; the nearest known name")])
+        let unknown = Problem::NotFound("unknown name `leter`; did you mean `letter`?".into());
+        problems(vec![(unknown, "The catalogue has no such entry; the nearest known name")])
     }
 }

@@ -1,15 +1,15 @@
-//! `POST /v1/slip-sweep`.
+//! `POST` and `GET /v1/slip-sweep`.
 
 use axum::extract::State;
 use axum::response::Response;
 
-use super::responses::{InvalidBody, Limits};
+use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
 use crate::compute::{Cost, written};
-use crate::extract::{Format, Input};
+use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::SweepReply;
-use crate::request::SweepDto;
+use crate::request::{SweepDto, SweepQuery};
 
 /// Forces and torque of a wheel over slip
 ///
@@ -27,6 +27,29 @@ pub(crate) async fn slip_sweep(
     format: Format,
     Input(query): Input<SweepDto>,
 ) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+/// Forces and torque of a wheel over slip, asked by a query
+///
+/// The twin of the POST: a field is a parameter, one inside an object has the object's name and a dot before its own
+/// (`soil.cohesion_pa=200`). The slips are `slip.from`, `slip.to` and `slip.points`. The answer, the checks and the problems are those of the POST; their pointers
+/// (`/soil/cohesion_pa`) have a slash for the dot.
+#[utoipa::path(
+    get,
+    path = "/v1/slip-sweep",
+    tag = "forces",
+    params(SweepDto, FormatParameter),
+    responses((status = 200, description = "Forces and torque of a wheel over slip", content((SweepReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
+)]
+pub(crate) async fn slip_sweep_of_query(
+    State(service): State<Service>,
+    Asked { query, format }: Asked<SweepDto>,
+) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+async fn answer(service: &Service, query: SweepQuery, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_points(&query.operation, query.slips.len());
     let work = move || {
         let reply = SweepReply::from(&query);

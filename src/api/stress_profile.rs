@@ -1,15 +1,15 @@
-//! `POST /v1/stress-profile`.
+//! `POST` and `GET /v1/stress-profile`.
 
 use axum::extract::State;
 use axum::response::Response;
 
-use super::responses::{InvalidBody, Limits};
+use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
 use crate::compute::{Cost, written};
-use crate::extract::{Format, Input};
+use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ProfileReply;
-use crate::request::ProfileDto;
+use crate::request::{ProfileDto, ProfileQuery};
 
 /// Stresses along the rim, exact and linearised
 ///
@@ -26,6 +26,29 @@ pub(crate) async fn stress_profile(
     format: Format,
     Input(query): Input<ProfileDto>,
 ) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+/// Stresses along the rim, exact and linearised, asked by a query
+///
+/// The twin of the POST: a field is a parameter, one inside an object has the object's name and a dot before its own
+/// (`soil.cohesion_pa=200`). The answer, the checks and the problems are those of the POST; their pointers
+/// (`/soil/cohesion_pa`) have a slash for the dot.
+#[utoipa::path(
+    get,
+    path = "/v1/stress-profile",
+    tag = "forces",
+    params(ProfileDto, FormatParameter),
+    responses((status = 200, description = "Stresses along the rim, exact and linearised", content((ProfileReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
+)]
+pub(crate) async fn stress_profile_of_query(
+    State(service): State<Service>,
+    Asked { query, format }: Asked<ProfileDto>,
+) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+async fn answer(service: &Service, query: ProfileQuery, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_profile(&query.operation, query.points);
     let work = move || {
         let reply = ProfileReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;

@@ -1,4 +1,4 @@
-//! Records of the catalogue as they are kept, and as they are shown.
+//! Records of the catalogue as they are kept, and what the model makes of them.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,8 @@ use terramechanics::{
 };
 use utoipa::ToSchema;
 
-use crate::request::{LAWS, RULES, SHEAR_LAWS};
+use crate::request::LAWS;
+use crate::wire::Variant;
 
 /// How well a value is founded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
@@ -19,8 +20,19 @@ pub(crate) enum Grade {
     Primary,
     /// Quoted by others; the source itself was not read.
     Secondary,
-    /// Assigned from a guideline or another soil or wheel.
+    /// Assigned from a guideline or from another soil or wheel, tuned by hand, or a choice of simulation code.
     Proxy,
+}
+
+impl Grade {
+    /// Its name on the wire.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Primary => "primary",
+            Self::Secondary => "secondary",
+            Self::Proxy => "proxy",
+        }
+    }
 }
 
 /// One value of a record.
@@ -31,22 +43,28 @@ pub(crate) struct Value {
     pub(crate) value: f64,
     /// As published, with its unit.
     pub(crate) published: String,
-    source: Option<String>,
-    grade: Option<Grade>,
-    note: Option<String>,
+    pub(super) source: Option<String>,
+    pub(super) grade: Option<Grade>,
+    pub(super) note: Option<String>,
 }
+
+/// The values of a record by name.
+pub(crate) type Values = BTreeMap<String, Value>;
 
 /// A wheel of the catalogue.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct WheelRecord {
     pub(crate) id: String,
-    name: String,
-    kind: String,
+    pub(super) name: String,
+    pub(crate) kind: String,
     pub(crate) source: String,
-    grade: Grade,
-    note: Option<String>,
-    pub(crate) values: BTreeMap<String, Value>,
+    pub(super) grade: Grade,
+    pub(super) note: Option<String>,
+    /// Fields that are not known and that the service assumes, though the wheel has or may have something there.
+    #[serde(default)]
+    pub(super) assumed: Vec<String>,
+    pub(crate) values: Values,
 }
 
 /// A soil of the catalogue.
@@ -54,149 +72,42 @@ pub(crate) struct WheelRecord {
 #[serde(deny_unknown_fields)]
 pub(crate) struct SoilRecord {
     pub(crate) id: String,
-    name: String,
-    kind: String,
+    pub(super) name: String,
+    pub(crate) kind: String,
     pub(crate) source: String,
-    grade: Grade,
-    note: Option<String>,
-    pub(crate) law: String,
-    pub(crate) values: BTreeMap<String, Value>,
-    shear: Option<ShearRecord>,
-    contact: Option<ContactRecord>,
+    pub(super) grade: Grade,
+    pub(super) note: Option<String>,
+    /// The pressure–sinkage law to which the values belong, if there are any of one.
+    pub(crate) law: Option<String>,
+    pub(crate) values: Values,
+    pub(super) shear: Option<ShearRecord>,
+    pub(super) contact: Option<ContactRecord>,
 }
 
 /// A shear law other than Janosi–Hanamoto's.
 #[derive(Debug, Clone, Deserialize)]
-struct ShearRecord {
-    law: String,
+pub(super) struct ShearRecord {
+    pub(super) law: String,
     #[serde(flatten)]
-    values: BTreeMap<String, Value>,
+    pub(super) values: Values,
 }
 
 /// A measured contact.
 #[derive(Debug, Clone, Deserialize)]
-struct ContactRecord {
-    rule: String,
+pub(super) struct ContactRecord {
+    pub(super) rule: String,
     #[serde(flatten)]
-    values: BTreeMap<String, Value>,
-}
-
-/// One value as it is shown, complete with its source.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = CatalogueValue)]
-pub(crate) struct ValueView<'a> {
-    /// In SI units.
-    value: f64,
-    /// As published, with its unit.
-    published: &'a str,
-    /// Where it was published.
-    source: &'a str,
-    grade: Grade,
-    /// What a user should know of it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    note: Option<&'a str>,
-}
-
-/// A wheel as it is shown.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = CatalogueWheel)]
-pub(crate) struct WheelView<'a> {
-    /// Its name as a `preset`.
-    #[schema(example = "letter")]
-    id: &'a str,
-    name: &'a str,
-    /// Paper, flight or test.
-    kind: &'a str,
-    /// Where its values were published, unless a value says otherwise.
-    source: &'a str,
-    grade: Grade,
-    /// What a user should know of it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    note: Option<&'a str>,
-    /// The wheel as a request would spell it out.
-    wheel: BTreeMap<&'a str, f64>,
-    /// Every value with its source; also some that are no part of a request, such as `nominal_load_n`.
-    values: BTreeMap<&'a str, ValueView<'a>>,
-    /// Required fields without a published value: a request has to add them.
-    missing: Vec<&'static str>,
-}
-
-/// A soil as it is shown.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = CatalogueSoil)]
-pub(crate) struct SoilView<'a> {
-    /// Its name as a `preset`.
-    #[schema(example = "letter-sand")]
-    id: &'a str,
-    name: &'a str,
-    /// Lunar, martian, simulant, test-bed sand, terrestrial, snow.
-    kind: &'a str,
-    /// Where its values were published, unless a value says otherwise.
-    source: &'a str,
-    grade: Grade,
-    /// What a user should know of it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    note: Option<&'a str>,
-    /// The soil as a request would spell it out, without what is missing.
-    soil: SoilBody<'a>,
-    /// The contact that was measured with it, which holds unless a request has its own.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    contact: Option<TaggedBody<'a>>,
-    /// Every value with its source.
-    values: BTreeMap<&'a str, ValueView<'a>>,
-    /// Required fields without a published value: a request has to add them.
-    missing: Vec<&'static str>,
-}
-
-/// Fields of a soil.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = CatalogueSoilFields)]
-struct SoilBody<'a> {
-    #[serde(flatten)]
-    own: BTreeMap<&'a str, f64>,
-    pressure_sinkage: TaggedBody<'a>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    shear: Option<TaggedBody<'a>>,
-}
-
-/// A law or a rule with its parameters.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = CatalogueLaw)]
-struct TaggedBody<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    law: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rule: Option<&'a str>,
-    #[serde(flatten)]
-    parameters: BTreeMap<&'a str, f64>,
+    pub(super) values: Values,
 }
 
 const SOIL_REQUIRED: [&str; 3] = ["cohesion_pa", "friction_angle_rad", "shear_modulus_m"];
 pub(super) const SOIL_FIELDS: [&str; 5] =
     ["cohesion_pa", "friction_angle_rad", "shear_modulus_m", "lateral_shear_modulus_m", "unit_weight_n_m3"];
-const WHEEL_FIELDS: [&str; 4] = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
+pub(super) const WHEEL_FIELDS: [&str; 4] = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
 const WHEEL_REQUIRED: [&str; 2] = ["radius_m", "width_m"];
-
-type Values = BTreeMap<String, Value>;
-
-/// The values of the given names that are there.
-fn numbers<'a>(values: &'a Values, names: &[&str]) -> BTreeMap<&'a str, f64> {
-    values.iter().filter(|(name, _)| names.contains(&name.as_str())).map(|(name, value)| (name.as_str(), value.value)).collect()
-}
 
 fn absent(values: &Values, names: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
     names.into_iter().filter(|name| !values.contains_key(*name)).collect()
-}
-
-fn views<'a>(values: &'a Values, source: &'a str, grade: Grade) -> BTreeMap<&'a str, ValueView<'a>> {
-    let view = |value: &'a Value| ValueView {
-        value: value.value,
-        published: &value.published,
-        source: value.source.as_deref().unwrap_or(source),
-        grade: value.grade.unwrap_or(grade),
-        note: value.note.as_deref(),
-    };
-    values.iter().map(|(name, value)| (name.as_str(), view(value))).collect()
 }
 
 impl WheelRecord {
@@ -205,19 +116,9 @@ impl WheelRecord {
         absent(&self.values, WHEEL_REQUIRED)
     }
 
-    /// The record as it is shown.
-    pub(crate) fn view(&self) -> WheelView<'_> {
-        WheelView {
-            id: &self.id,
-            name: &self.name,
-            kind: &self.kind,
-            source: &self.source,
-            grade: self.grade,
-            note: self.note.as_deref(),
-            wheel: numbers(&self.values, &WHEEL_FIELDS),
-            values: views(&self.values, &self.source, self.grade),
-            missing: self.missing(),
-        }
+    /// Whether a field is not known and assumed, though the wheel has or may have something there.
+    pub(crate) fn assumes(&self, name: &str) -> bool {
+        self.assumed.iter().any(|assumed| assumed == name)
     }
 }
 
@@ -227,11 +128,21 @@ impl SoilRecord {
         self.values.get(name).map(|value| value.value)
     }
 
+    /// Gravity where the soil lies (m/s²), if it lies beyond the Earth.
+    pub(crate) fn gravity(&self) -> Option<f64> {
+        let body = match self.kind.as_str() {
+            "lunar" => "moon",
+            "martian" => "mars",
+            _ => return None,
+        };
+        super::gravity().iter().find(|known| known.id == body).map(|known| known.acceleration_m_s2)
+    }
+
     /// The pressure–sinkage law, if all its parameters are known.
     pub(crate) fn pressure_sinkage(&self) -> Option<PressureSinkage> {
         let number = |name: &str| self.number(name);
         let exponent = SinkageExponent { base: number("n0")?, slip_gain: number("n1").unwrap_or(0.0), skid_gain: number("n2") };
-        Some(match self.law.as_str() {
+        Some(match self.law.as_deref()? {
             "bekker" => PressureSinkage::Bekker(Bekker { k_c: number("k_c")?, k_phi: number("k_phi")?, exponent }),
             "direct" => PressureSinkage::Direct(Direct { k_s: number("k_s")?, exponent }),
             "reece" => PressureSinkage::Reece(Reece {
@@ -272,6 +183,12 @@ impl SoilRecord {
         Contact::new(ContactParams { rule, exit_ratio: number("c3").unwrap_or(0.0) }).ok()
     }
 
+    /// Required parameters of the pressure–sinkage law that are not known.
+    pub(crate) fn missing_of_law(&self) -> Vec<&'static str> {
+        let law = self.law.as_deref().and_then(|law| Variant::named(LAWS, law));
+        law.map_or_else(Vec::new, |law| absent(&self.values, law.required.iter().copied()))
+    }
+
     /// Required fields that are not known.
     pub(crate) fn missing(&self) -> Vec<&'static str> {
         let mut missing = absent(&self.values, SOIL_REQUIRED);
@@ -280,47 +197,5 @@ impl SoilRecord {
             missing.push("pressure_sinkage");
         }
         missing
-    }
-
-    /// The record as it is shown.
-    pub(crate) fn view(&self) -> SoilView<'_> {
-        let parameters = |variants: &'static [crate::wire::Variant], name: &str| -> Vec<&'static str> {
-            crate::wire::Variant::named(variants, name).map(|variant| variant.fields().collect()).unwrap_or_default()
-        };
-        let mut values = views(&self.values, &self.source, self.grade);
-        if let Some(contact) = &self.contact {
-            values.extend(views(&contact.values, &self.source, self.grade));
-        }
-        if let Some(shear) = &self.shear {
-            values.extend(views(&shear.values, &self.source, self.grade));
-        }
-        SoilView {
-            id: &self.id,
-            name: &self.name,
-            kind: &self.kind,
-            source: &self.source,
-            grade: self.grade,
-            note: self.note.as_deref(),
-            soil: SoilBody {
-                own: numbers(&self.values, &SOIL_FIELDS),
-                pressure_sinkage: TaggedBody {
-                    law: Some(&self.law),
-                    rule: None,
-                    parameters: numbers(&self.values, &parameters(LAWS, &self.law)),
-                },
-                shear: self.shear.as_ref().map(|shear| TaggedBody {
-                    law: Some(&shear.law),
-                    rule: None,
-                    parameters: numbers(&shear.values, &parameters(SHEAR_LAWS, &shear.law)),
-                }),
-            },
-            contact: self.contact.as_ref().map(|contact| TaggedBody {
-                law: None,
-                rule: Some(&contact.rule),
-                parameters: numbers(&contact.values, &parameters(RULES, &contact.rule)),
-            }),
-            values,
-            missing: self.missing(),
-        }
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics::{Error, Method, cautions};
+use terramechanics::{Error, Heading, Method, Outcome, cautions};
 use utoipa::ToSchema;
 
 use super::{AnglesReply, Reply, Warning};
@@ -105,6 +105,10 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
         let point = operation.at(motion.slip)?;
         let forces = point.forces.heading(motion.heading);
         let parts = &forces.components;
+        let mut warnings: Vec<Warning> = cautions(operation, &Outcome::from(&point)).map(Warning::from).collect();
+        if motion.heading == Heading::Backward {
+            warnings.push(Warning::mirrored());
+        }
         let drawbar_coefficient = forces.drawbar_coefficient();
         let tractive_efficiency = forces.tractive_efficiency(wheel, motion.slip, motion.heading);
         let side = forces.side;
@@ -144,7 +148,7 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
             sinkage_modulus: point.sinkage_modulus,
             sinkage_exponent: point.sinkage_exponent,
             shearing_radius_m: wheel.shearing_radius(),
-            warnings: cautions(operation, motion.slip, Some(&forces)).map(Warning::from).collect(),
+            warnings,
             row,
         })
     }

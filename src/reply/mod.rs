@@ -1,16 +1,24 @@
 //! Answers as they stand on the wire, made from what the model returns.
 
 mod compare;
+mod coupled;
 mod forces;
+mod resistances;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
+mod validation;
 mod warning;
 
 pub(crate) use compare::CompareReply;
+pub(crate) use coupled::CoupledReply;
 pub(crate) use forces::ForcesReply;
+pub(crate) use resistances::ResistancesReply;
 pub(crate) use slip_sweep::SweepReply;
 pub(crate) use stress_profile::ProfileReply;
-pub(crate) use warning::Warning;
+pub(crate) use towed::TowedReply;
+pub(crate) use validation::ValidationSet;
+pub(crate) use warning::{RowCautions, Warning};
 
 use std::borrow::Cow;
 use std::fmt::Write;

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use terramechanics::{Caution, Error, SideColumns, SlipSweep, cautions};
+use terramechanics::{Error, Outcome, SideColumns, SlipSweep, cautions};
 use utoipa::ToSchema;
 
 use super::forces::{COLUMNS, SIDE_COLUMNS, method_name};
-use super::warning::rows_in_words;
+use super::warning::{RowCautions, rows_in_words};
 use super::{Column, Reply, Warning};
 use crate::request::{SweepQuery, error_pointer};
 
@@ -77,13 +77,18 @@ impl From<&SweepQuery> for SweepReply {
         let SweepQuery { operation, slips } = query;
         let sweep = SlipSweep::of(operation, slips);
         let mut warnings = gap_warnings(&sweep, |error| error_pointer(error, &operation.sinkage));
-        // The cautions of the least slip hold for all that brake; the largest integration error stands for the rest.
-        let least = slips.iter().copied().min_by(|a, b| a.ratio().total_cmp(&b.ratio()));
-        warnings.extend(least.into_iter().flat_map(|slip| cautions(operation, slip, None)).map(Warning::from));
-        let estimate = sweep.integration_error.iter().copied().fold(0.0, f64::max);
-        warnings.extend(Caution::of_integration(estimate).map(Warning::from));
-        let share = sweep.side.mobilised_share.iter().copied().fold(1.0, f64::min);
-        warnings.extend(Caution::of_bulldozing(operation, share).map(Warning::from));
+        let mut cautious = RowCautions::default();
+        for (row, &slip) in slips.iter().enumerate().filter(|(row, _)| sweep.sinkage[*row].is_finite()) {
+            let outcome = Outcome {
+                slip,
+                sinkage: sweep.sinkage[row],
+                normal: Some(sweep.normal[row]),
+                integration_error: sweep.integration_error[row],
+                mobilised_share: sweep.side.mobilised_share.get(row).copied(),
+            };
+            cautious.add(row, cautions(operation, &outcome));
+        }
+        warnings.extend(cautious.into_warnings(slips.len()));
         Self { method: method_name(&operation.model.method), columns: sweep.into(), warnings }
     }
 }
@@ -126,7 +131,7 @@ fn gap_warnings(sweep: &SlipSweep, pointer: impl Fn(&Error) -> &'static str) -> 
             sweep.slip[first.row],
             first.error
         );
-        Warning { code: "no_solution", detail }
+        Warning::new("no_solution", detail)
     };
     by_field.iter().map(warning).collect()
 }

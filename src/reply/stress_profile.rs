@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics::{Error, Heading, StressProfile, cautions};
+use terramechanics::{Error, Heading, Outcome, StressProfile, cautions};
 use utoipa::ToSchema;
 
 use super::{AnglesReply, Column, Reply, Warning};
@@ -48,11 +48,11 @@ struct ProfileColumns {
     /// Shear stress τ (Pa).
     #[schema(value_type = Vec<f64>)]
     shear_stress_pa: Column,
-    /// Linearised normal stress (Pa).
-    #[schema(value_type = Vec<f64>)]
+    /// Linearised normal stress (Pa); null where a braking wheel has two zones.
+    #[schema(value_type = Vec<Option<f64>>)]
     normal_stress_linear_pa: Column,
-    /// Linearised shear stress (Pa).
-    #[schema(value_type = Vec<f64>)]
+    /// Linearised shear stress (Pa); null where a braking wheel has two zones.
+    #[schema(value_type = Vec<Option<f64>>)]
     shear_stress_linear_pa: Column,
 }
 
@@ -62,23 +62,36 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
     fn try_from(query: &ProfileQuery) -> Result<Self, Error> {
         let ProfileQuery { operation, motion, peak_depth, points } = query;
         let rolling = operation.system.rolling(motion.slip)?;
-        let (sinkage, _) = operation.sinkage_of(&rolling)?;
+        let (sinkage, solved) = operation.sinkage_of(&rolling)?;
         let patch = rolling.contact(sinkage)?;
         let peak = patch.stresses(patch.angles.peak);
         let profile = StressProfile::of(&patch, *points, *peak_depth);
         let StressProfile { theta, depth, normal, shear, normal_linear, shear_linear } = profile;
-        let columns = [&depth, &normal, &shear, &normal_linear, &shear_linear];
-        if columns.iter().any(|column| column.iter().any(|value| !value.is_finite())) {
+        let parted = patch.has_two_zones();
+        let finite = |columns: [&[f64]; 5]| columns.iter().all(|column| column.iter().all(|value| value.is_finite()));
+        let (normal_stated, shear_stated): (&[f64], &[f64]) = if parted { (&[], &[]) } else { (&normal_linear, &shear_linear) };
+        if !finite([&depth, &normal, &shear, normal_stated, shear_stated]) {
             return Err(Error::NotFinite);
         }
-        let mut warnings: Vec<Warning> = cautions(operation, motion.slip, None).map(Warning::from).collect();
+        let outcome = Outcome {
+            slip: motion.slip,
+            sinkage,
+            normal: solved.map(|forces| forces.normal),
+            integration_error: solved.map_or(0.0, |forces| forces.integration_error),
+            mobilised_share: None,
+        };
+        let mut warnings: Vec<Warning> = cautions(operation, &outcome).map(Warning::from).collect();
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
+        }
+        if parted {
+            let detail = "two zones have no linear stresses: no shear stress acts at their peak";
+            warnings.push(Warning::new("no_linear_stresses", detail));
         }
         if *points < StressProfile::FEWEST_POINTS {
             let detail =
                 format!("the exit, the peak and the entry are always among the places, so there are {} of them", theta.len());
-            warnings.push(Warning { code: "points_raised", detail });
+            warnings.push(Warning::new("points_raised", detail));
         }
         Ok(Self {
             slip: motion.slip.ratio(),

@@ -1,33 +1,99 @@
 //! What a result says about itself.
 
 use serde::Serialize;
-use terramechanics::Caution;
+use terramechanics::{Caution, CautionKind, TestedRange};
 use utoipa::ToSchema;
 
 /// A reason to take the result with care.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub(crate) struct Warning {
     /// Kind of the warning, for programs.
-    #[schema(example = "slip_gain_extrapolated")]
+    #[schema(example = "small_wheel")]
     pub(crate) code: &'static str,
     /// The warning in words.
     pub(crate) detail: String,
+    /// The quantity that leaves its range, if it is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pub(crate) range: Option<Range>,
+}
+
+/// A quantity outside the range in which its model was tested.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, ToSchema)]
+pub(crate) struct Range {
+    /// The quantity, with its unit.
+    quantity: &'static str,
+    /// Its value.
+    value: f64,
+    /// Lower end of the range, if it has one.
+    lower: Option<f64>,
+    /// Upper end of the range, if it has one.
+    upper: Option<f64>,
+    /// Where the range comes from.
+    source: &'static str,
 }
 
 impl From<Caution> for Warning {
     fn from(caution: Caution) -> Self {
-        Self { code: caution.code(), detail: caution.to_string() }
+        let CautionKind { code, ref range, .. } = *caution.kind;
+        let of_value = |&TestedRange { quantity, lower, upper, source }: &TestedRange| Range {
+            quantity,
+            value: caution.value,
+            lower,
+            upper,
+            source,
+        };
+        Self { code, detail: caution.to_string(), range: range.as_ref().map(of_value) }
     }
 }
 
 impl Warning {
+    /// A warning that is not about a range.
+    pub(crate) fn new(code: &'static str, detail: impl Into<String>) -> Self {
+        Self { code, detail: detail.into(), range: None }
+    }
+
     /// The wheel moves backwards.
     pub(crate) fn mirrored() -> Self {
-        Self {
-            code: "mirrored",
-            detail: "the wheel moves backwards: angles and stresses are those of its mirror image, positive towards the direction of motion"
-                .into(),
+        Self::new(
+            "mirrored",
+            "the wheel moves backwards: angles, stresses and slip are those of its mirror image; forces along x and the torque \
+             keep the axes of the rover, x forward, and so have changed sign",
+        )
+    }
+}
+
+/// The cautions of several rows: per kind the one that is furthest out, with the rows that carry it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct RowCautions(Vec<(Caution, Vec<usize>)>);
+
+impl RowCautions {
+    /// Takes those of a row.
+    pub(crate) fn add(&mut self, row: usize, cautions: impl Iterator<Item = Caution>) {
+        for caution in cautions {
+            match self.0.iter_mut().find(|(known, _)| known.kind == caution.kind) {
+                Some((worst, rows)) => {
+                    rows.push(row);
+                    if caution.excess() > worst.excess() {
+                        *worst = caution;
+                    }
+                }
+                None => self.0.push((caution, vec![row])),
+            }
         }
+    }
+
+    /// One warning per kind, for a table of `count` rows.
+    pub(crate) fn into_warnings(self, count: usize) -> impl Iterator<Item = Warning> {
+        self.0.into_iter().map(move |(worst, rows)| {
+            let warning = Warning::from(worst);
+            let detail = if rows.len() == count {
+                warning.detail
+            } else {
+                format!("at indices {}; furthest out: {}", rows_in_words(&rows), warning.detail)
+            };
+            Warning { detail, ..warning }
+        })
     }
 }
 

@@ -2,21 +2,22 @@
 
 use serde::de::{IgnoredAny, MapAccess, SeqAccess};
 use terramechanics::Slip;
+use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{ArrayBuilder, OneOfBuilder};
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::wire::{Entry, Field, Nested, Number, Object, Scope, Spec, Wire, wire_object};
 
-const SLIP: Number = Number::new("Slip ratio s (–).", -1.0, 1.0);
+const SLIP: Number = Number::new("Slip ratio s (–).", -1.0, 1.0).share();
 const FEWEST: usize = 2;
 const MOST: usize = 10_001;
 
 wire_object! {
     /// Equally spaced slips, both ends included.
     SlipRangeDto as "SlipRange" {
-        from: f64 = Number::new("First slip (–).", -1.0, 1.0),
-        to: f64 = Number::new("Last slip (–).", -1.0, 1.0),
-        points: f64 = Number::new("Number of slips.", FEWEST as f64, MOST as f64).integer(),
+        from: f64 = Number::new("First slip (–).", -1.0, 1.0).share().required(),
+        to: f64 = Number::new("Last slip (–).", -1.0, 1.0).share().required(),
+        points: f64 = Number::new("Number of slips.", FEWEST as f64, MOST as f64).integer().required(),
     }
 }
 
@@ -40,6 +41,10 @@ impl Spec for SlipAxisSpec {
 
     fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
         RANGE.schemas(found);
+    }
+
+    fn parameters(&self, name: &str, found: &mut Vec<Parameter>) {
+        RANGE.parameters(name, found);
     }
 
     fn is_required(&self) -> bool {
@@ -103,11 +108,46 @@ impl SlipRangeDto {
         let (from, to) = (self.from().required_number(place), self.to().required_number(place));
         let points = self.points().required_number(place);
         let (from, to, steps) = (from?, to?, points? - 1.0);
-        let slip = |i: f64| {
-            let share = i / steps;
-            // Both ends exactly, and rounding carries none beyond them.
-            if i == steps { to } else { (from * (1.0 - share) + to * share).clamp(from.min(to), from.max(to)) }
-        };
-        (0..points? as u32).map(|i| Slip::new(slip(f64::from(i))).ok()).collect()
+        (0..points? as u32).map(|i| Slip::new(equally_spaced(from, to, f64::from(i) / steps)).ok()).collect()
+    }
+}
+
+/// The number at `share` of the way between two slips. Where a number of 14 decimals is as near as rounding can tell, it is
+/// that one: a tenth of a range is then the number that people write, and rolling is 0 and not the dust of a rounding.
+fn equally_spaced(from: f64, to: f64, share: f64) -> f64 {
+    const DECIMALS: f64 = 1e14;
+    if share == 0.0 || share == 1.0 {
+        return if share == 0.0 { from } else { to };
+    }
+    let between = from + (to - from) * share;
+    let written = (between * DECIMALS).round() / DECIMALS;
+    let rounding = 2.0 * f64::EPSILON * from.abs().max(to.abs());
+    let slip = if (written - between).abs() <= rounding { written } else { between };
+    // Rounding carries none beyond the ends; adding 0 turns −0 into 0.
+    slip.clamp(from.min(to), from.max(to)) + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equally_spaced_slips_are_the_numbers_that_people_write() {
+        let slips = |from, to, steps: u32| (0..=steps).map(move |i| equally_spaced(from, to, f64::from(i) / f64::from(steps)));
+        let braking_to_spinning: Vec<f64> = slips(-0.5, 1.0, 150).collect();
+        assert_eq!(braking_to_spinning[50], 0.0);
+        assert!(braking_to_spinning[50].is_sign_positive());
+        for (i, slip) in braking_to_spinning.iter().enumerate() {
+            let written: f64 = format!("{:.2}", (i as f64 - 50.0) / 100.0).parse().expect("a number");
+            assert_eq!(*slip, written, "row {i}");
+        }
+    }
+
+    #[test]
+    fn a_narrow_range_keeps_its_steps() {
+        let slips: Vec<f64> = (0..=10).map(|i| equally_spaced(0.0, 1e-13, f64::from(i) / 10.0)).collect();
+        for (i, slip) in slips.iter().enumerate() {
+            assert!((slip - i as f64 * 1e-14).abs() <= 2e-29, "row {i}: {slip}");
+        }
     }
 }

@@ -64,6 +64,7 @@ wire_object! {
         methods: Methods = MethodsSpec,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
         peak_sinkage: String = operation::PEAK_SINKAGE,
+        braking: String = operation::BRAKING,
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
     }
@@ -89,6 +90,7 @@ impl Request for CompareDto {
             normal_load: self.normal_load_n(),
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
+            braking: self.braking(),
             method: None,
             side_slip: None,
         }
@@ -100,6 +102,10 @@ impl Request for CompareDto {
             let method = Entry { name: "method", field: name, spec: &operation::METHOD };
             let entries = MethodEntries { method, lambda_a: self.lambda_a(), lambda_b: self.lambda_b() };
             let method = entries.check(place, checked.peak_depth)?;
+            let contact = &checked.operation.system.contact;
+            if !operation::takes_two_zones(method, contact, &self.braking(), place) {
+                return None;
+            }
             Some(Operation { model: ForceModel { method, ..checked.operation.model }, ..checked.operation })
         };
         let operations: Option<Vec<Operation>> = names?.iter().map(model).collect();

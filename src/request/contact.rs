@@ -35,7 +35,7 @@ impl ContactDto {
     /// The contact.
     pub(crate) fn check(&self, place: &Scope<'_>) -> Option<Contact> {
         self.report_oddities(place);
-        self.rule().required(place);
+        self.rule().required_word(place);
         let rule = self.rule().looked_up(place, |word| Variant::named(RULES, word));
         let [c1, c2, exit_ratio] = numbers_of(rule, &[self.c1(), self.c2(), self.c3()], place);
         let rule = match rule?.name {

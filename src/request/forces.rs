@@ -23,6 +23,7 @@ wire_object! {
         method: String = operation::METHOD,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
         peak_sinkage: String = operation::PEAK_SINKAGE,
+        braking: String = operation::BRAKING,
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
         slip_angle_rad: f64 = side_slip::SLIP_ANGLE,
@@ -51,6 +52,7 @@ impl Request for ForcesDto {
             normal_load: self.normal_load_n(),
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
+            braking: self.braking(),
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
             side_slip: Some(SideSlipEntries {
                 slip_angle: self.slip_angle_rad(),

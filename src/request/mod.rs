@@ -1,24 +1,32 @@
 //! Requests as they stand on the wire, and what they become: the only place where input is checked and converted.
 
 mod axis;
+mod catalogue;
 mod compare;
 mod contact;
+mod coupled;
 mod forces;
 mod operation;
+mod resistances;
 mod side_slip;
 mod slip_sweep;
 mod soil;
 mod stress_profile;
+mod towed;
 mod wheel;
 
+pub(crate) use catalogue::{SoilsDto, WheelsDto};
 pub(crate) use compare::{CompareDto, CompareQuery};
 pub(crate) use contact::{ContactDto, RULES};
+pub(crate) use coupled::{CoupledDto, CoupledQuery};
 pub(crate) use forces::{ForcesDto, ForcesQuery};
 pub(crate) use operation::SlipSinkageDto;
 pub(crate) use operation::{error_fault, error_pointer};
+pub(crate) use resistances::{ResistancesDto, ResistancesQuery};
 pub(crate) use slip_sweep::{SweepDto, SweepQuery};
 pub(crate) use soil::{LAWS, SHEAR_LAWS, SoilDto};
 pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
+pub(crate) use towed::{TowedDto, TowedQuery};
 pub(crate) use wheel::WheelDto;
 
 use std::cell::RefCell;

@@ -1,8 +1,8 @@
 //! What all requests for forces have in common: wheel, soil, contact, method and sinkage.
 
 use terramechanics::{
-    Contact, Error, ForceModel, LinearSlipSinkage, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth, Sinkage,
-    Slip, SlipSinkage, Velocities, Wheel, WheelOnSoil,
+    Braking, Contact, Error, ForceModel, LinearSlipSinkage, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth,
+    Sinkage, Slip, SlipSinkage, Velocities, Wheel, WheelOnSoil,
 };
 
 use utoipa::openapi::{RefOr, Schema};
@@ -23,7 +23,7 @@ pub(super) const FORWARD_VELOCITY: Number =
 pub(super) const ANGULAR_VELOCITY: Number =
     Number::new("Angular velocity ω of the wheel (rad/s), positive when it rolls forward.", -1e4, 1e4);
 pub(super) const SLIP: Number =
-    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0);
+    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0).share();
 pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0);
 pub(super) const STATIC_SINKAGE: Number =
     Number::new("Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", 1e-9, 100.0);
@@ -53,6 +53,42 @@ pub(super) const LAMBDA_B: LambdaSpec =
     LambdaSpec { number: Number::new("λ_B of B ≈ (1 + λ_B) z/(2r) (–).", -1.0, 1.0).or(0.0), word: EXACT };
 const EXACT: Choice = Choice { doc: "The value at which the approximation is exact.", words: || vec!["exact"], default: None };
 
+pub(super) const BRAKING: Choice = Choice {
+    doc: "Law for a braking wheel, s < 0. one_zone: the displacement of a driving wheel continued; two_zone: Wong & Reece's towed wheel, whose shear reverses at the peak of the stresses; by quadrature alone, and it does not join the rolling wheel at s = 0.",
+    words: braking_words,
+    default: Some("one_zone"),
+};
+
+fn braking_words() -> Vec<&'static str> {
+    vec!["one_zone", "two_zone"]
+}
+
+/// The law for a braking wheel, `default` where none was sent; nothing where the word is wrong, which is reported.
+pub(super) fn braking_law(entry: &Entry<'_, String>, place: &Scope<'_>, default: Braking) -> Option<Braking> {
+    let law = or_none(entry, place, |word| match word {
+        "one_zone" => Some(Braking::OneZone),
+        "two_zone" => Some(Braking::TwoZone),
+        _ => None,
+    })?;
+    Some(law.unwrap_or(default))
+}
+
+/// Reports two zones with a closed form or a slip angle; false where it did.
+pub(super) fn takes_two_zones(method: Method, contact: &Contact, braking: &Entry<'_, String>, place: &Scope<'_>) -> bool {
+    if contact.braking() != Braking::TwoZone {
+        return true;
+    }
+    let refusal = match method {
+        Method::Quadrature => None,
+        Method::SideSlipping(side) => (side.angle.angle() != 0.0).then_some(Error::SlipAngleOfTwoZones),
+        Method::Linearised { .. } | Method::Explicit { .. } => Some(Error::ClosedFormOfTwoZones),
+    };
+    if let Some(error) = refusal {
+        place.field(braking.name).fault(error);
+    }
+    refusal.is_none()
+}
+
 /// The slip–sinkage laws and their parameters.
 const SLIP_SINKAGE_LAWS: &[Variant] =
     &[Variant { name: "lyasko", required: &[], optional: &[] }, Variant { name: "linear", required: &["gain"], optional: &[] }];
@@ -76,7 +112,7 @@ wire_object! {
 impl SlipSinkageDto {
     fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));
         let [gain] = numbers_of(law, &[self.gain()], place);
         Some(match law?.name {
@@ -97,6 +133,7 @@ pub(super) struct OperationEntries<'a> {
     pub(super) normal_load: Entry<'a, f64>,
     pub(super) normal_stress_radius: Entry<'a, String>,
     pub(super) peak_sinkage: Entry<'a, String>,
+    pub(super) braking: Entry<'a, String>,
     pub(super) method: Option<MethodEntries<'a>>,
     pub(super) side_slip: Option<SideSlipEntries<'a>>,
 }
@@ -118,18 +155,15 @@ impl OperationEntries<'_> {
     pub(super) fn check(&self, place: &Scope<'_>) -> Option<Checked> {
         let wheel = self.wheel.required(place).and_then(|dto| dto.check(&place.field(self.wheel.name)));
         let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name)));
-        let contact = self.contact(place, soil.and_then(|(_, measured)| measured));
+        let contact = checked_contact(&self.contact, place, soil.and_then(|(_, measured)| measured));
+        let braking = braking_law(&self.braking, place, Braking::OneZone);
         let sinkage = self.sinkage(place, wheel.as_ref());
         let peak_depth = or_none(&self.peak_sinkage, place, |word| match word {
             "geometric" => Some(PeakDepth::Geometric),
             "half" => Some(PeakDepth::Half),
             _ => None,
         });
-        let normal_stress_radius = or_none(&self.normal_stress_radius, place, |word| match word {
-            "rim" => Some(NormalStressRadius::Rim),
-            "shearing" => Some(NormalStressRadius::Shearing),
-            _ => None,
-        });
+        let normal_stress_radius = normal_stress_radius_of(&self.normal_stress_radius, place);
         let peak_depth = peak_depth?;
         let method = match &self.method {
             Some(entries) => entries.check(place, peak_depth),
@@ -139,18 +173,13 @@ impl OperationEntries<'_> {
             Some(entries) => entries.check(place, method),
             None => method,
         };
-        let model =
-            ForceModel { method: method?, normal_stress_radius: normal_stress_radius?.unwrap_or(NormalStressRadius::Rim) };
-        let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact: contact? };
-        Some(Checked { operation: Operation { system, model, sinkage: sinkage? }, peak_depth })
-    }
-
-    fn contact(&self, place: &Scope<'_>, measured: Option<Contact>) -> Option<Contact> {
-        if self.contact.is_present() {
-            self.contact.given(place).and_then(|dto| dto.check(&place.field(self.contact.name)))
-        } else {
-            Some(measured.unwrap_or(Contact::MIDPOINT))
+        let model = ForceModel { method: method?, normal_stress_radius: normal_stress_radius? };
+        let contact = contact?.with_braking(braking?);
+        if !takes_two_zones(model.method, &contact, &self.braking, place) {
+            return None;
         }
+        let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact };
+        Some(Checked { operation: Operation { system, model, sinkage: sinkage? }, peak_depth })
     }
 
     /// The slip–sinkage law, which has a meaning only beside a static sinkage.
@@ -183,20 +212,41 @@ impl OperationEntries<'_> {
             return None;
         }
         match values {
-            [Some(sinkage), None, None] => {
-                if let Some(wheel) = wheel
-                    && sinkage > wheel.radius()
-                {
-                    let radius = wheel.radius();
-                    place.field(self.sinkage.name).fault(Error::SinkageOutsideWheel { sinkage, radius });
-                    return None;
-                }
-                Some(Sinkage::Given(sinkage))
-            }
+            [Some(sinkage), None, None] => within_wheel(sinkage, wheel, &place.field(self.sinkage.name)).map(Sinkage::Given),
             [None, Some(static_sinkage), None] => Some(Sinkage::FromStatic { static_sinkage, law: law? }),
             [None, None, Some(load)] => Some(Sinkage::CarryingLoad(load)),
             _ => None,
         }
+    }
+}
+
+/// The contact sent, else the one measured with the soil, else the midpoint.
+pub(super) fn checked_contact(entry: &Entry<'_, ContactDto>, place: &Scope<'_>, measured: Option<Contact>) -> Option<Contact> {
+    if entry.is_present() {
+        entry.given(place).and_then(|dto| dto.check(&place.field(entry.name)))
+    } else {
+        Some(measured.unwrap_or(Contact::MIDPOINT))
+    }
+}
+
+/// The radius at which the normal stress acts; the rim where none was sent.
+pub(super) fn normal_stress_radius_of(entry: &Entry<'_, String>, place: &Scope<'_>) -> Option<NormalStressRadius> {
+    let radius = or_none(entry, place, |word| match word {
+        "rim" => Some(NormalStressRadius::Rim),
+        "shearing" => Some(NormalStressRadius::Shearing),
+        _ => None,
+    });
+    Some(radius?.unwrap_or(NormalStressRadius::Rim))
+}
+
+/// The sinkage, if it does not exceed the radius of the wheel, where that is known; else the fault is reported.
+pub(super) fn within_wheel(sinkage: f64, wheel: Option<&Wheel>, place: &Scope<'_>) -> Option<f64> {
+    match wheel.map(Wheel::radius) {
+        Some(radius) if sinkage > radius => {
+            place.fault(Error::SinkageOutsideWheel { sinkage, radius });
+            None
+        }
+        _ => Some(sinkage),
     }
 }
 
@@ -290,13 +340,19 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
         Error::PeakOutsideContact { .. } => "/contact",
-        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } => "/normal_load_n",
+        Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
+        Error::LoadNotCoupled { .. } => "/slip",
+        Error::LoadBeyondCapacity { .. }
+        | Error::LoadTooLight { .. }
+        | Error::LoadNotBalanced { .. }
+        | Error::NotFreeRolling { .. } => "/normal_load_n",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
         Error::NotFinite => "",
         Error::Invalid(fault) => match fault.parameter {
             Parameter::Slip => "/slip",
             Parameter::SlipAngle => "/slip_angle_rad",
             Parameter::NormalLoad => "/normal_load_n",
+            Parameter::Torque => "/torque_n_m",
             Parameter::LambdaA => "/lambda_a",
             Parameter::LambdaB => "/lambda_b",
             _ => "",
@@ -306,5 +362,12 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
 
 /// A refusal of the model as a fault of the request.
 pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
-    FieldFault { pointer: error_pointer(error, sinkage).to_owned(), detail: error.to_string() }
+    let pointer = error_pointer(error, sinkage).to_owned();
+    let detail = match (error, sinkage) {
+        (Error::SinkageOutsideWheel { .. }, Sinkage::FromStatic { .. }) => {
+            format!("by the slip–sinkage law at this slip, {error}")
+        }
+        _ => error.to_string(),
+    };
+    FieldFault { pointer, detail }
 }

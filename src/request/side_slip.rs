@@ -10,7 +10,8 @@ pub(super) const SLIP_ANGLE: Number = Number::new(
     -SlipAngle::LARGEST,
     SlipAngle::LARGEST,
 )
-.or(0.0);
+.or(0.0)
+.angle();
 pub(super) const SHEAR_COUPLING: Choice = Choice {
     doc: "Shear stresses along and across the wheel: independent of each other (Ishigami et al.), or coupled into one along the slip velocity (Pavlov & Johnson).",
     words: || vec!["independent", "coupled"],

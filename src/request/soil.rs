@@ -17,7 +17,7 @@ wire_object! {
     SoilDto as "Soil" {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
-        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above(),
+        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle(),
         shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
         lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); the shear law's own length unless given or in the catalogue.", 1e-6, 10.0),
@@ -56,7 +56,7 @@ impl SoilDto {
         } else {
             let published = preset.and_then(SoilRecord::pressure_sinkage);
             if published.is_none() && !unknown_preset {
-                missing(place, law.name, preset.map(|record| record.id.as_str()));
+                missing_law(place, law.name, preset);
             }
             published
         };
@@ -72,6 +72,7 @@ impl SoilDto {
             return None;
         }
         let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
+        let soil = preset.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
         Some((soil, preset.and_then(SoilRecord::contact)))
     }
 
@@ -92,6 +93,18 @@ impl SoilDto {
             }
             None => Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: modulus()? })),
         }
+    }
+}
+
+/// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
+fn missing_law(place: &Scope<'_>, name: &'static str, preset: Option<&SoilRecord>) {
+    match preset.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
+        Some((record, Some(law), parameters)) => place.field(name).fault(format_args!(
+            "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
+            record.id,
+            parameters.join(", ")
+        )),
+        _ => missing(place, name, preset.map(|record| record.id.as_str())),
     }
 }
 
@@ -123,7 +136,7 @@ impl ShearDto {
     /// The law, or none for the one that takes the soil's own modulus; nothing where something was reported.
     fn check(&self, place: &Scope<'_>) -> Option<Option<ShearLaw>> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SHEAR_LAWS, word));
         let [residual_ratio, peak_displacement] = numbers_of(law, &[self.residual_ratio(), self.peak_displacement_m()], place);
         Some(match law?.name {
@@ -172,7 +185,7 @@ wire_object! {
 impl PressureSinkageDto {
     fn check(&self, place: &Scope<'_>) -> Option<PressureSinkage> {
         self.report_oddities(place);
-        self.law().required(place);
+        self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(LAWS, word));
         let parameters =
             [self.k_c(), self.k_phi(), self.k_s(), self.unit_weight_n_m3(), self.k(), self.m(), self.n0(), self.n1(), self.n2()];

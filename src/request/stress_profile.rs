@@ -29,6 +29,7 @@ wire_object! {
         normal_load_n: f64 = operation::NORMAL_LOAD,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
         peak_sinkage: String = operation::PEAK_SINKAGE,
+        braking: String = operation::BRAKING,
         points: f64 = POINTS,
     }
 }
@@ -55,6 +56,7 @@ impl Request for ProfileDto {
             normal_load: self.normal_load_n(),
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
+            braking: self.braking(),
             method: None,
             side_slip: None,
         }

@@ -41,7 +41,10 @@ impl WheelDto {
         if unknown_preset {
             return None;
         }
-        Wheel::new(params).map_err(|invalid| place.fault(invalid)).ok()
+        let wheel = Wheel::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
+        let height = self.lug_height_m();
+        let assumed = !height.is_present() && preset.is_some_and(|record| record.assumes(height.name));
+        Some(if assumed { wheel.with_unknown_lug_height() } else { wheel })
     }
 }
 

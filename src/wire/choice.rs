@@ -34,6 +34,13 @@ impl Wire for String {
 }
 
 impl Entry<'_, String> {
+    /// The word; that none was sent is reported with the words there are.
+    pub(crate) fn required_word(&self, object: &Scope<'_>) {
+        if !self.is_present() {
+            object.field(self.name).fault(format_args!("is required: one of {}", (self.spec.words)().join(", ")));
+        }
+    }
+
     /// What `lookup` makes of the word, if one was sent; an unknown one is reported with the nearest known.
     pub(crate) fn looked_up<T>(&self, object: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<T> {
         let word = self.given(object)?;
@@ -58,8 +65,9 @@ pub(crate) fn unknown_word(place: &Scope<'_>, word: &str, known: &[&str]) {
 pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let word = shortened(word);
     let resemblance = |candidate: &str| {
-        // A part of a name (`radius` for `radius_m`) is as good a hint as a typo.
-        let part = !word.is_empty() && (candidate.contains(&word) || word.contains(candidate));
+        // A part of a name (`radius` for `radius_m`) is as good a hint as a typo; a letter or two are in too many.
+        const SHORTEST_PART: usize = 3;
+        let part = word.len() >= SHORTEST_PART && (candidate.contains(&word) || word.contains(candidate));
         strsim::normalized_damerau_levenshtein(&word, candidate) + if part { 0.5 } else { 0.0 }
     };
     let best = known.iter().copied().map(|candidate| (resemblance(candidate), candidate)).max_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -84,6 +92,7 @@ mod tests {
         assert_eq!(nearest("lug_hieght_m", &known), Some("lug_height_m"));
         assert_eq!(nearest("colour", &known), None);
         assert_eq!(nearest("", &known), None);
+        assert_eq!(nearest("r", &["preset", "radius_m", "width_m"]), None);
     }
 
     #[test]

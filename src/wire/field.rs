@@ -99,10 +99,11 @@ impl<'de, T: Wire> Visitor<'de> for FieldVisitor<T> {
     }
 }
 
-/// Reads a whole JSON text as a field.
+/// Reads a whole JSON text as a field; a byte order mark before it, which some editors and shells write, is passed over
+/// (RFC 8259, section 8.1).
 ///
 /// # Errors
 /// Where the text is not JSON.
 pub(crate) fn read<T: Wire>(text: &[u8]) -> serde_json::Result<Field<T>> {
-    serde_json::from_slice(text)
+    serde_json::from_slice(text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text))
 }

@@ -10,15 +10,18 @@ mod faults;
 mod field;
 mod number;
 mod object;
+mod query;
 
-pub(crate) use choice::{Choice, nearest, unknown_word};
+pub(crate) use choice::{Choice, nearest, shortened, unknown_word};
 pub(crate) use entry::Entry;
 pub(crate) use faults::{FieldFault, Scope};
 pub(crate) use field::{Field, Wire, read};
 pub(crate) use number::{Lambda, LambdaSpec, Number};
 pub(crate) use object::{Nested, Object, Oddity, Variant, object_schema, read_name, tagged_schema, wire_object};
+pub(crate) use query::Query;
 
-use utoipa::openapi::{RefOr, Schema};
+use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
+use utoipa::openapi::{RefOr, Required, Schema};
 
 /// What is allowed for a field, as a JSON schema.
 pub(crate) trait Spec {
@@ -27,6 +30,19 @@ pub(crate) trait Spec {
 
     /// Adds the named schemas that it refers to.
     fn schemas(&self, _found: &mut Vec<(String, RefOr<Schema>)>) {}
+
+    /// Adds the query parameters that stand for the field under `name`.
+    fn parameters(&self, name: &str, found: &mut Vec<Parameter>) {
+        let mut schema = self.schema();
+        // Said once, where readers of the document look for it.
+        let description = match &mut schema {
+            RefOr::T(Schema::Object(object)) => object.description.take(),
+            RefOr::T(Schema::OneOf(one_of)) => one_of.description.take(),
+            _ => None,
+        };
+        let parameter = ParameterBuilder::new().name(name).parameter_in(ParameterIn::Query).required(Required::False);
+        found.push(parameter.description(description).schema(Some(schema)).build());
+    }
 
     /// Whether a request without the field is refused whatever else it has.
     fn is_required(&self) -> bool {

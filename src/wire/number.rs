@@ -16,13 +16,24 @@ pub(crate) struct Number {
     /// Whether `max` itself is too large.
     open_above: bool,
     integer: bool,
+    required: bool,
     default: Option<f64>,
+    often_mistaken: Option<Mistake>,
+}
+
+/// A unit in which a number is often sent instead of its own.
+#[derive(Debug, Clone, Copy)]
+enum Mistake {
+    /// Degrees instead of radians.
+    Degrees,
+    /// Hundredths instead of a share.
+    Percent,
 }
 
 impl Number {
     /// A number from `min` to `max`; the description names its unit.
     pub(crate) const fn new(doc: &'static str, min: f64, max: f64) -> Self {
-        Self { doc, min, max, open_above: false, integer: false, default: None }
+        Self { doc, min, max, open_above: false, integer: false, required: false, default: None, often_mistaken: None }
     }
 
     /// The upper bound itself is excluded.
@@ -33,6 +44,21 @@ impl Number {
     /// Only whole numbers.
     pub(crate) const fn integer(self) -> Self {
         Self { integer: true, ..self }
+    }
+
+    /// An angle in radians, which some send in degrees.
+    pub(crate) const fn angle(self) -> Self {
+        Self { often_mistaken: Some(Mistake::Degrees), ..self }
+    }
+
+    /// A share, which some send in per cent.
+    pub(crate) const fn share(self) -> Self {
+        Self { often_mistaken: Some(Mistake::Percent), ..self }
+    }
+
+    /// The object is refused without it.
+    pub(crate) const fn required(self) -> Self {
+        Self { required: true, ..self }
     }
 
     /// What holds where the field is left out.
@@ -46,8 +72,22 @@ impl Number {
         if value >= self.min && below_top && (!self.integer || value.fract() == 0.0) {
             Some(value)
         } else {
-            place.fault(format_args!("must be {self}, not {}", Plain(value)));
+            place.fault(format_args!("must be {self}, not {}{}", Plain(value), self.probably_meant(value)));
             None
+        }
+    }
+
+    /// The number that was probably meant by one that is out of bounds, in words.
+    fn probably_meant(&self, value: f64) -> String {
+        let fits = |value: f64| value.abs() >= self.min.max(0.0) && value.abs() < self.max;
+        match self.often_mistaken {
+            Some(Mistake::Degrees) if value.abs() <= 180.0 && fits(value.to_radians()) => {
+                format!("; it is in radians: {value}° are {:.4}", value.to_radians())
+            }
+            Some(Mistake::Percent) if value.abs() <= 100.0 && fits(value / 100.0) => {
+                format!("; it is a share: {value} % are {}", value / 100.0)
+            }
+            _ => String::new(),
         }
     }
 }
@@ -85,6 +125,10 @@ impl Spec for Number {
         } else {
             object.schema_type(Type::Number).format(Some(SchemaFormat::KnownFormat(KnownFormat::Double))).into()
         }
+    }
+
+    fn is_required(&self) -> bool {
+        self.required
     }
 }
 
@@ -151,5 +195,29 @@ impl Spec for LambdaSpec {
             .description(Some(self.number.doc))
             .default(default)
             .into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+
+    use super::*;
+
+    fn said(number: Number, value: f64) -> String {
+        let faults = RefCell::default();
+        assert_eq!(number.check(&Scope::root(&faults), value), None);
+        faults.into_inner().remove(0).detail
+    }
+
+    #[test]
+    fn a_number_in_another_unit_is_told_what_was_probably_meant() {
+        let angle = Number::new("", 0.0, std::f64::consts::FRAC_PI_2).open_above().angle();
+        assert!(said(angle, 30.0).ends_with(", not 30; it is in radians: 30° are 0.5236"));
+        assert!(said(angle, 120.0).ends_with(", not 120"));
+        let share = Number::new("", -1.0, 1.0).share();
+        assert!(said(share, 20.0).ends_with(", not 20; it is a share: 20 % are 0.2"));
+        assert!(said(share, -35.0).ends_with("-35 % are -0.35"));
+        assert!(said(share, 2e3).ends_with(", not 2000"));
     }
 }

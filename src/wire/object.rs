@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, Visitor};
 use utoipa::ToSchema;
+use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{AdditionalProperties, ObjectBuilder, OneOfBuilder, Ref, Type};
 use utoipa::openapi::{RefOr, Schema};
 
@@ -28,6 +29,9 @@ const MOST_ODDITIES: usize = 20;
 pub(crate) trait Object {
     /// The names of its fields.
     const NAMES: &'static [&'static str];
+
+    /// Adds the query parameters that stand for its fields, under the name of the object with a dot, or none.
+    fn parameters(around: &str, found: &mut Vec<Parameter>);
 
     /// Names that do not belong.
     fn oddities(&self) -> &[Oddity];
@@ -76,7 +80,7 @@ impl<T> Nested<T> {
     }
 }
 
-impl<T: ToSchema> Spec for Nested<T> {
+impl<T: ToSchema + Object> Spec for Nested<T> {
     fn schema(&self) -> RefOr<Schema> {
         let mut reference = Ref::from_schema_name(T::name());
         reference.description = self.doc.to_owned();
@@ -86,6 +90,10 @@ impl<T: ToSchema> Spec for Nested<T> {
     fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
         found.push((T::name().into_owned(), T::schema()));
         T::schemas(found);
+    }
+
+    fn parameters(&self, name: &str, found: &mut Vec<Parameter>) {
+        T::parameters(&format!("{name}."), found);
     }
 
     fn is_required(&self) -> bool {
@@ -210,6 +218,12 @@ macro_rules! wire_object {
         impl $crate::wire::Object for $object {
             const NAMES: &'static [&'static str] = &[$(stringify!($field)),+];
 
+            fn parameters(around: &str, found: &mut Vec<::utoipa::openapi::path::Parameter>) {
+                use $crate::wire::Spec;
+                let empty = Self::default();
+                $(empty.$field().spec.parameters(&format!("{around}{}", stringify!($field)), found);)+
+            }
+
             fn oddities(&self) -> &[$crate::wire::Oddity] {
                 &self.oddities
             }
@@ -243,6 +257,16 @@ macro_rules! wire_object {
                     )+
                 }
                 Ok(Some(object))
+            }
+        }
+
+        impl ::utoipa::IntoParams for $object {
+            fn into_params(
+                _: impl Fn() -> Option<::utoipa::openapi::path::ParameterIn>,
+            ) -> Vec<::utoipa::openapi::path::Parameter> {
+                let mut found = Vec::new();
+                <Self as $crate::wire::Object>::parameters("", &mut found);
+                found
             }
         }
 

@@ -50,6 +50,13 @@ impl Answer {
         errors.iter().map(|error| error["pointer"].as_str().expect("a pointer").to_owned()).collect()
     }
 
+    /// The codes of the warnings of a 200.
+    pub(crate) fn warned_of(&self) -> Vec<String> {
+        let reply = self.ok();
+        let warnings = reply["warnings"].as_array().expect("warnings");
+        warnings.iter().map(|warning| warning["code"].as_str().expect("a code").to_owned()).collect()
+    }
+
     /// What the 422 says of a pointer.
     pub(crate) fn fault(&self, pointer: &str) -> String {
         let problem = self.problem(422);
@@ -144,4 +151,21 @@ pub(crate) fn table(text: &str) -> Vec<(String, Vec<Option<f64>>)> {
         }
     }
     columns
+}
+
+/// A body as a query with dotted names.
+pub(crate) fn query_of(body: &Value) -> String {
+    fn add(value: &Value, name: &str, pairs: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => {
+                let around = if name.is_empty() { String::new() } else { format!("{name}.") };
+                fields.iter().for_each(|(field, value)| add(value, &format!("{around}{field}"), pairs));
+            }
+            Value::String(text) => pairs.push(format!("{name}={text}")),
+            other => pairs.push(format!("{name}={other}")),
+        }
+    }
+    let mut pairs = Vec::new();
+    add(body, "", &mut pairs);
+    pairs.join("&")
 }

@@ -2,9 +2,10 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{get, letter, post, with};
+use crate::asking::{get, with};
 
-fn entries(path: &str, name: &str) -> Vec<Value> {
+/// The entries of a list of the catalogue.
+pub(crate) fn entries(path: &str, name: &str) -> Vec<Value> {
     get(path).ok()[name].as_array().expect("entries").clone()
 }
 
@@ -42,30 +43,114 @@ fn the_letters_entries_are_there() {
 }
 
 #[test]
-fn every_entry_computes_as_a_preset_or_says_which_fields_are_missing() {
-    let mut incomplete = 0;
-    for soil in entries("/v1/soils", "soils") {
-        let body = with(&with(&letter(), json!({"soil": null})), json!({"soil": {"preset": soil["id"]}}));
-        let missing = soil["missing"].as_array().expect("missing");
-        let answer = post("/v1/forces", &body);
-        if missing.is_empty() {
-            let spelled =
-                with(&with(&letter(), json!({"soil": null})), json!({"soil": soil["soil"], "contact": soil["contact"]}));
-            assert_eq!(answer.ok(), post("/v1/forces", &spelled).ok(), "{}", soil["id"]);
-        } else {
-            incomplete += 1;
-            let expected: Vec<String> = missing.iter().map(|name| format!("/soil/{}", name.as_str().expect("a name"))).collect();
-            assert_eq!(answer.pointers(), expected);
-            let completed = post("/v1/forces", &with(&body, json!({"soil": {"shear_modulus_m": 0.01}})));
-            assert!(completed.ok()["normal_force_n"].as_f64().expect("a force") > 0.0);
+fn the_lists_can_be_had_by_kind() {
+    for (path, name, kinds) in [
+        ("/v1/wheels", "wheels", vec!["paper", "flight", "test", "terrestrial"]),
+        (
+            "/v1/soils",
+            "soils",
+            vec![
+                "paper",
+                "lunar",
+                "lunar simulant",
+                "test-bed sand",
+                "martian",
+                "terrestrial",
+                "snow",
+                "martian simulant",
+                "synthetic",
+            ],
+        ),
+    ] {
+        let all = entries(path, name);
+        let mut listed = 0;
+        for kind in &kinds {
+            let expected: Vec<&Value> = all.iter().filter(|entry| entry["kind"] == *kind).collect();
+            let found = entries(&format!("{path}?kind={}", kind.replace(' ', "%20")), name);
+            assert_eq!(found.iter().collect::<Vec<_>>(), expected, "{kind}");
+            assert_eq!(entries(&format!("{path}?kind={}", kind.replace(' ', "+")), name).len(), expected.len());
+            listed += found.len();
         }
+        assert_eq!(listed, all.len());
+        let detail = get(&format!("{path}?kind=venusian")).fault("/kind");
+        assert!(kinds.iter().all(|kind| detail.contains(kind)), "{detail}");
+        assert_eq!(get(&format!("{path}?knd=paper")).fault("/knd"), "unknown field; did you mean `kind`?");
+        assert_eq!(get(&format!("{path}?kind=paper&kind=paper")).pointers(), ["/kind"]);
+        assert_eq!(get(&format!("{path}?kind=")).pointers(), ["/kind"]);
+        assert_eq!(get(&format!("{path}?kind=%ff&a/b~=1")).pointers(), ["/a~1b~0", "/kind"]);
+        assert_eq!(entries(&format!("{path}?"), name).len(), all.len());
     }
-    assert!(incomplete > 0, "the catalogue has entries that lack a value");
-    for wheel in entries("/v1/wheels", "wheels") {
-        let body = with(&with(&letter(), json!({"wheel": null})), json!({"wheel": {"preset": wheel["id"]}}));
-        let spelled = with(&with(&letter(), json!({"wheel": null})), json!({"wheel": wheel["wheel"]}));
-        assert_eq!(post("/v1/forces", &body).ok(), post("/v1/forces", &spelled).ok(), "{}", wheel["id"]);
+}
+
+/// The rows of a table whose cells may be in quotes.
+fn rows(text: &str) -> Vec<Vec<String>> {
+    let row = |line: &str| {
+        let (mut cells, mut quoted) = (vec![String::new()], false);
+        let mut characters = line.chars().peekable();
+        while let Some(c) = characters.next() {
+            match c {
+                '"' if quoted && characters.next_if_eq(&'"').is_some() => cells.last_mut().expect("a cell").push('"'),
+                '"' => quoted = !quoted,
+                ',' if !quoted => cells.push(String::new()),
+                _ => cells.last_mut().expect("a cell").push(c),
+            }
+        }
+        cells
+    };
+    text.lines().map(row).collect()
+}
+
+#[test]
+fn the_lists_come_as_tables_too() {
+    for (path, name, columns) in [
+        ("/v1/wheels", "wheels", "id,name,kind,grade,radius_m,width_m,lug_height_m,lug_coefficient,lug_count,nominal_load_n"),
+        (
+            "/v1/soils",
+            "soils",
+            "id,name,kind,grade,cohesion_pa,friction_angle_rad,shear_modulus_m,lateral_shear_modulus_m,unit_weight_n_m3,\
+             law,k_c,k_phi,n0,n1,n2,k_s,k,m,shear_law,residual_ratio,peak_displacement_m,rule,c3,c1,c2",
+        ),
+    ] {
+        let table = |path: &str| crate::asking::send(crate::asking::request("GET", path, &[("accept", "text/csv")], ""));
+        let answer = table(path);
+        assert_eq!(answer.header("content-type"), "text/csv; charset=utf-8; header=present");
+        let rows = rows(&answer.text);
+        assert_eq!(rows[0].join(","), columns);
+        let entries = entries(path, name);
+        assert_eq!(rows.len(), entries.len() + 1);
+        for (row, entry) in rows[1..].iter().zip(&entries) {
+            let mut values = 0;
+            assert_eq!(row.len(), rows[0].len(), "{row:?}");
+            for (column, cell) in rows[0].iter().zip(row) {
+                let value = &entry["values"][column]["value"];
+                match column.as_str() {
+                    "id" | "name" | "kind" | "grade" => assert_eq!(entry[column], *cell),
+                    "law" => assert_eq!(entry["soil"]["pressure_sinkage"]["law"].as_str().unwrap_or(""), cell),
+                    "shear_law" => assert_eq!(entry["soil"]["shear"]["law"].as_str().unwrap_or(""), cell),
+                    "rule" => assert_eq!(entry["contact"]["rule"].as_str().unwrap_or(""), cell),
+                    _ => assert_eq!(value.as_f64(), cell.parse().ok(), "{column} of {}", entry["id"]),
+                }
+                values += usize::from(value.is_number());
+            }
+            assert_eq!(values, entry["values"].as_object().expect("values").len(), "every value of {} is there", entry["id"]);
+        }
+        let of_kind = table(&format!("{path}?kind=paper")).text;
+        assert_eq!(of_kind.lines().count(), 1 + entries.iter().filter(|entry| entry["kind"] == "paper").count());
     }
+}
+
+#[test]
+fn the_model_gives_gravity_with_its_source() {
+    let model = get("/v1/model").ok();
+    let bodies = model["gravity"].as_array().expect("bodies");
+    let of = |id: &str| bodies.iter().find(|body| body["id"] == id).expect("a body");
+    // Standard gravity is 9.80665 m/s² by definition; GM/R² of Moon and Mars (km³/s², km) give the others to two decimals.
+    assert_eq!(of("earth")["acceleration_m_s2"], 9.80665);
+    for (id, gm, radius) in [("moon", 4902.8, 1737.4), ("mars", 42_828.0, 3396.2)] {
+        let expected = gm / f64::powi(radius, 2) * 1000.0;
+        assert!((of(id)["acceleration_m_s2"].as_f64().expect("a number") - expected).abs() < 0.005, "{id}: {expected}");
+    }
+    assert!(bodies.iter().all(|body| body["source"].as_str().is_some_and(|source| source.len() > 20)));
 }
 
 #[test]

@@ -56,8 +56,9 @@ fn points_without_a_solution_are_left_out_of_the_differences() {
     assert!(reply["series"][1]["difference"]["torque_n_m"]["rms"].is_number());
     let details: Vec<&str> =
         reply["warnings"].as_array().expect("warnings").iter().filter_map(|w| w["detail"].as_str()).collect();
-    assert_eq!(details.len(), 3);
-    assert!(details[0].starts_with("quadrature: no solution at indices 1"), "{details:?}");
+    let gaps: Vec<&&str> = details.iter().filter(|detail| detail.contains("no solution")).collect();
+    assert_eq!(gaps.len(), 3);
+    assert!(gaps[0].starts_with("quadrature: no solution at indices 1"), "{details:?}");
 }
 
 #[test]

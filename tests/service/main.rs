@@ -1,15 +1,23 @@
 //! The service as its clients see it: files mirror `src/api`.
 
 mod asking;
+mod braking;
 mod catalogue;
 mod compare;
 mod contract;
+mod coupled;
 mod documents;
 mod forces;
 mod page;
+mod presets;
 mod problems;
+mod query;
 mod readme;
+mod resistances;
 mod server;
 mod side_force;
 mod slip_sweep;
 mod stress_profile;
+mod towed;
+mod validation;
+mod warnings;

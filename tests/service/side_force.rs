@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{letter, post, post_for_csv, table, with};
+use crate::asking::{Answer, letter, post, post_for_csv, table, with};
 use crate::contract::has_shape;
 use crate::documents::document;
 
@@ -21,8 +21,9 @@ fn sand(changes: Value) -> Value {
     with(&with(&letter(), json!({"soil": {"unit_weight_n_m3": 15_000}, "slip_angle_rad": 0.1})), changes)
 }
 
-fn codes(reply: &Value) -> Vec<&str> {
-    reply["warnings"].as_array().expect("warnings").iter().map(|warning| warning["code"].as_str().expect("a code")).collect()
+/// What a result says about the soil beside the wheel.
+fn bulldozing_warnings(answer: &Answer) -> Vec<String> {
+    answer.warned_of().into_iter().filter(|code| code.starts_with("bulldozing")).collect()
 }
 
 #[test]
@@ -56,12 +57,13 @@ fn the_force_across_is_there_only_where_a_slip_angle_was_sent() {
         |path: &str| document["paths"][path]["post"]["responses"]["200"]["content"]["application/json"]["schema"].clone();
     let plain = post("/v1/forces", &letter()).ok();
     assert!(SIDE.iter().all(|name| plain.get(name).is_none()));
-    let straight = post("/v1/forces", &with(&letter(), json!({"slip_angle_rad": 0}))).ok();
+    let answer = post("/v1/forces", &with(&letter(), json!({"slip_angle_rad": 0})));
+    assert!(bulldozing_warnings(&answer).is_empty());
+    let straight = answer.ok();
     for name in SIDE {
         assert_eq!(number(&straight, name), 0.0);
     }
     assert_eq!(straight["longitudinal_force_n"], plain["longitudinal_force_n"]);
-    assert!(codes(&straight).is_empty());
     for body in [letter(), sand(json!({})), sand(json!({"shear_coupling": "coupled", "slip": -0.3}))] {
         has_shape(&document, &schema("/v1/forces"), &post("/v1/forces", &body).ok());
     }
@@ -89,16 +91,16 @@ fn only_coupled_stresses_change_the_forces_along_the_wheel() {
 
 #[test]
 fn the_side_wall_needs_the_unit_weight_and_says_so() {
-    let without = post("/v1/forces", &sand(json!({"soil": {"unit_weight_n_m3": null}}))).ok();
-    assert_eq!(codes(&without), ["bulldozing_left_out"]);
-    let with_weight = post("/v1/forces", &sand(json!({}))).ok();
-    assert!(codes(&with_weight).is_empty());
-    assert!(number(&with_weight, "lateral_force_n") > number(&without, "lateral_force_n"));
+    let without = post("/v1/forces", &sand(json!({"soil": {"unit_weight_n_m3": null}})));
+    assert_eq!(bulldozing_warnings(&without), ["bulldozing_left_out"]);
+    let with_weight = post("/v1/forces", &sand(json!({})));
+    assert!(bulldozing_warnings(&with_weight).is_empty());
+    assert!(number(&with_weight.ok(), "lateral_force_n") > number(&without.ok(), "lateral_force_n"));
     // Reece's law brings a unit weight along.
     let reece = json!({"law": "reece", "k_c": 0, "k_phi": 80, "unit_weight_n_m3": 15_000, "n0": 1});
     let soil = json!({"unit_weight_n_m3": null, "pressure_sinkage": null});
     let body = with(&sand(json!({"soil": soil})), json!({"soil": {"pressure_sinkage": reece}}));
-    assert!(codes(&post("/v1/forces", &body).ok()).is_empty());
+    assert!(bulldozing_warnings(&post("/v1/forces", &body)).is_empty());
 }
 
 #[test]
@@ -106,9 +108,40 @@ fn a_wall_that_has_hardly_moved_is_warned_of_unless_only_what_is_mobilised_count
     for path in ["/v1/forces", "/v1/slip-sweep"] {
         let slip = if path == "/v1/forces" { json!(0.2) } else { json!([0.0, 0.2]) };
         let little = sand(json!({"slip_angle_rad": 0.001, "slip": slip}));
-        assert_eq!(codes(&post(path, &little).ok()), ["bulldozing_not_mobilised"], "{path}");
-        assert!(codes(&post(path, &with(&little, json!({"bulldozing": "mobilised"}))).ok()).is_empty(), "{path}");
+        let answer = post(path, &little);
+        assert_eq!(bulldozing_warnings(&answer), ["bulldozing_not_mobilised"], "{path}");
+        let reply = answer.ok();
+        let warnings = reply["warnings"].as_array().expect("warnings");
+        let warning = warnings.iter().find(|warning| warning["code"] == "bulldozing_not_mobilised").expect("a warning");
+        let share = number(&warning["range"], "value");
+        assert!(share > 0.0 && share < number(&warning["range"], "lower"), "{path}: {share}");
+        let mobilised = post(path, &with(&little, json!({"bulldozing": "mobilised"})));
+        assert!(bulldozing_warnings(&mobilised).is_empty(), "{path}");
     }
+}
+
+#[test]
+fn only_the_rows_of_a_sweep_that_lack_the_motion_are_warned_of() {
+    // A wheel that all but spins on the spot hardly moves sideways.
+    let sweep = post("/v1/slip-sweep", &sand(json!({"slip_angle_rad": 0.3, "slip": [0.0, 0.1, 0.999]}))).ok();
+    let warnings = sweep["warnings"].as_array().expect("warnings");
+    let warning = warnings.iter().find(|warning| warning["code"] == "bulldozing_not_mobilised").expect("a warning");
+    assert!(warning["detail"].as_str().expect("a detail").starts_with("at indices 2;"), "{warning}");
+}
+
+#[test]
+fn a_slip_angle_with_two_zones_is_a_fault_of_braking() {
+    for (path, slip) in [("/v1/forces", json!(-0.1)), ("/v1/forces", json!(0.1)), ("/v1/slip-sweep", json!([-0.1, 0.1]))] {
+        let answer = post(path, &sand(json!({"braking": "two_zone", "slip": slip})));
+        assert!(answer.fault("/braking").contains("slip angle"), "{path}");
+        assert_eq!(answer.pointers(), ["/braking"]);
+    }
+    // Going straight, there is nothing that two zones would have to take.
+    let straight = json!({"braking": "two_zone", "slip": -0.1, "slip_angle_rad": 0});
+    let reply = post("/v1/forces", &sand(straight.clone())).ok();
+    let plain = post("/v1/forces", &with(&letter(), with(&straight, json!({"slip_angle_rad": null})))).ok();
+    assert_eq!(reply["longitudinal_force_n"], plain["longitudinal_force_n"]);
+    assert_eq!(number(&reply, "lateral_force_n"), 0.0);
 }
 
 #[test]

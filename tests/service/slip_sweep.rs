@@ -69,7 +69,7 @@ fn points_without_a_solution_are_null_and_named() {
     let detail = warning["detail"].as_str().expect("a detail");
     assert!(detail.contains("indices 5–10") && detail.contains("/contact"), "{detail}");
     let answer = post_for_csv("/v1/slip-sweep", &body);
-    assert_eq!(answer.header("x-warnings"), "no_solution");
+    assert_eq!(answer.header("x-warnings"), "no_solution, small_wheel");
     let columns = table(&answer.text);
     assert!(columns[1..].iter().all(|(_, column)| column[5..].iter().all(Option::is_none)));
 }
@@ -88,10 +88,11 @@ fn a_table_has_the_same_numbers() {
 #[test]
 fn a_braking_range_is_warned_of_once() {
     let changes = json!({"sinkage_m": null, "static_sinkage_m": 0.01, "slip": {"from": -0.5, "to": 0.5, "points": 5}});
-    let reply = post("/v1/slip-sweep", &sweep(changes)).ok();
-    let warnings = reply["warnings"].as_array().expect("warnings");
-    assert_eq!(warnings.len(), 1);
-    assert_eq!(warnings[0]["code"], "slip_sinkage_extrapolated");
+    let answer = post("/v1/slip-sweep", &sweep(changes));
+    assert_eq!(answer.warned_of(), ["small_wheel", "slip_sinkage_extrapolated"]);
+    let warning = &answer.ok()["warnings"][1];
+    assert!(warning["detail"].as_str().expect("a detail").starts_with("at indices 0–1; furthest out: slip (–) is -0.5"));
+    assert_eq!((&warning["range"]["value"], &warning["range"]["lower"]), (&json!(-0.5), &json!(0.0)));
 }
 
 #[test]

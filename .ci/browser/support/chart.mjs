@@ -55,11 +55,18 @@ export async function drawn(page, chart) {
 }
 
 /** The curve stands in the chart, can be seen, and goes through these points, where null has none. */
-function assertCurve({ curves, tolerance }, key, xs, ys) {
-  const curve = curves[key];
-  assert.ok(curve, `no curve ${key}, but ${Object.keys(curves)}`);
+function assertCurve(chart, key, xs, ys) {
+  const curve = chart.curves[key];
+  assert.ok(curve, `no curve ${key}, but ${Object.keys(chart.curves)}`);
   assert.notEqual(curve.stroke, "none", `curve ${key} has no colour`);
   assert.ok(curve.width > 100, `curve ${key} is ${curve.width} px wide`);
+  assertPoints(chart, key, xs, ys);
+}
+
+/** The curve goes through these points, where null has none. */
+export function assertPoints({ curves, tolerance }, key, xs, ys) {
+  const curve = curves[key];
+  assert.ok(curve, `no curve ${key}, but ${Object.keys(curves)}`);
   const expected = xs.map((x, index) => [x, ys[index]]).filter(([, value]) => value !== null);
   assert.equal(curve.points.length, expected.length, `points of curve ${key}`);
   curve.points.forEach((point, index) => {

@@ -2,6 +2,7 @@
 //!
 //! Departure: Eq. (13) as printed halves the entry angle; Eq. (3) at θ = 0 gives θ1 = arccos(1 − z/r) (erratum 7).
 
+use crate::braking::Braking;
 use crate::error::{Error, InvalidInput, Parameter, Requirement};
 use crate::slip::Slip;
 
@@ -34,6 +35,7 @@ pub struct ContactParams {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     params: ContactParams,
+    braking: Braking,
 }
 
 /// The characteristic angles of a contact (rad), from straight down, positive towards the front.
@@ -49,9 +51,10 @@ pub struct Angles {
 
 impl Contact {
     /// Peak at the midpoint, exit at the lowest point.
-    pub const MIDPOINT: Self = Self { params: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 } };
+    pub const MIDPOINT: Self =
+        Self { params: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 }, braking: Braking::OneZone };
 
-    /// Checks the parameters.
+    /// Checks the parameters. A braking wheel has one zone, see [`Contact::with_braking`].
     ///
     /// # Errors
     /// Every parameter that is not finite, and an exit ratio outside [−1, 1).
@@ -65,10 +68,28 @@ impl Contact {
             ])?,
             PeakRule::Midpoint | PeakRule::HalfSinkage => InvalidInput::check(&[exit])?,
         }
-        Ok(Self { params })
+        Ok(Self { params, braking: Braking::OneZone })
     }
 
-    /// Angles of a contact whose sinkage is `depth_ratio` = z/r, in 0 < z/r ≤ 1.
+    /// The same contact with another law for a braking wheel. Two zones have their peak where they part, not where the rule
+    /// for a driving wheel has it.
+    #[must_use]
+    pub fn with_braking(self, braking: Braking) -> Self {
+        Self { braking, ..self }
+    }
+
+    /// Law for a braking wheel.
+    #[must_use]
+    pub fn braking(&self) -> Braking {
+        self.braking
+    }
+
+    /// Whether the law for a braking wheel sets aside a rule for the peak other than the plain midpoint.
+    pub(crate) fn sets_rule_aside(&self) -> bool {
+        self.braking == Braking::TwoZone && self.params.rule != PeakRule::Midpoint
+    }
+
+    /// Angles of a contact of one zone whose sinkage is `depth_ratio` = z/r, in 0 < z/r ≤ 1.
     ///
     /// # Errors
     /// [`Error::PeakOutsideContact`] where the rule does not give θ2 < θm < θ1.
@@ -94,10 +115,42 @@ impl Contact {
             Err(Error::PeakOutsideContact { entry, peak, exit })
         }
     }
+
+    /// Angles of a contact of two zones that part at `reversal` (rad), and of sinkage `depth_ratio` = z/r.
+    ///
+    /// # Errors
+    /// [`Error::ReversalOutsideContact`] where there is no room for both.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn angles_parted_at(&self, reversal: f64, depth_ratio: f64) -> Result<Angles, Error> {
+        let entry = angle_at_depth(depth_ratio);
+        let exit = self.params.exit_ratio * entry;
+        if exit < reversal && reversal < entry {
+            Ok(Angles { entry, peak: reversal, exit })
+        } else {
+            Err(Error::ReversalOutsideContact { entry, reversal, exit })
+        }
+    }
+
+    /// Sinkages (m) between which two zones that part at `reversal` (rad) have room, on a wheel of `radius` (m): where the
+    /// contact enters there, and where it leaves there if it leaves ahead of the lowest point.
+    pub(crate) fn sinkages_parted_at(&self, reversal: f64, radius: f64) -> (f64, f64) {
+        let depth_at = |angle: f64| 2.0 * radius * (0.5 * angle).sin().powi(2);
+        let entry_at_most = reversal / self.params.exit_ratio;
+        let deepest = if entry_at_most > 0.0 && entry_at_most < std::f64::consts::FRAC_PI_2 {
+            depth_at(entry_at_most) * (1.0 - INSIDE)
+        } else {
+            radius
+        };
+        (depth_at(reversal), deepest)
+    }
 }
 
-/// arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small.
+/// Share by which the deepest contact stays short of the one that has no rear zone.
+const INSIDE: f64 = 1e-9;
+
+/// Angle (rad) whose cosine lies d = z/r below 1: arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small.
 #[inline]
-fn angle_at_depth(d: f64) -> f64 {
+pub(crate) fn angle_at_depth(d: f64) -> f64 {
     2.0 * (0.5 * d).sqrt().asin()
 }

@@ -36,6 +36,7 @@ pub enum Parameter {
     Sinkage,
     StaticSinkage,
     NormalLoad,
+    Torque,
     LambdaA,
     LambdaB,
 }
@@ -179,12 +180,44 @@ pub enum Error {
         /// Exit angle θ2 (rad).
         exit: f64,
     },
+    /// The contact has no room for the two zones of a braking wheel: it skids more than its sinkage allows, or less than its
+    /// exit does.
+    ReversalOutsideContact {
+        /// Entry angle θ1 (rad).
+        entry: f64,
+        /// Angle θ0 at which the zones part (rad).
+        reversal: f64,
+        /// Exit angle θ2 (rad).
+        exit: f64,
+    },
+    /// A closed form was asked of a contact of two zones, at whose peak no shear stress acts.
+    ClosedFormOfTwoZones,
+    /// The force across was asked of a contact of two zones, for which no law is known.
+    SlipAngleOfTwoZones,
+    /// No skid was found at which the wheel carries the load without a torque.
+    NotFreeRolling {
+        /// The load asked for (N).
+        load: f64,
+        /// The slip that came nearest (–).
+        slip: f64,
+        /// The torque there (N·m).
+        torque: f64,
+    },
     /// The soil does not carry the load at any sinkage up to the wheel's radius.
     LoadBeyondCapacity {
         /// The load asked for (N).
         load: f64,
         /// The largest load carried (N).
         largest: f64,
+        /// The sinkage at which that is carried (m).
+        sinkage: f64,
+    },
+    /// A braking wheel with two zones digs itself in so far that it carries more than the load.
+    LoadTooLight {
+        /// The load asked for (N).
+        load: f64,
+        /// The least load carried (N).
+        least: f64,
         /// The sinkage at which that is carried (m).
         sinkage: f64,
     },
@@ -199,12 +232,18 @@ pub enum Error {
         /// The best sinkage (m).
         sinkage: f64,
     },
+    /// By linear stresses no normal stress carries a load, because the shear stress that goes with it pulls the wheel down as
+    /// much as it supports it.
+    LoadNotCoupled {
+        /// Support that is left of 1 for the normal stress alone (–).
+        support: f64,
+    },
     /// The numbers are so large or so small that a result overflows.
     NotFinite,
 }
 
 /// A number in six digits: what a person reads; the value itself is in the error.
-struct Digits(f64);
+pub(crate) struct Digits(pub(crate) f64);
 
 impl fmt::Display for Digits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -247,6 +286,27 @@ impl fmt::Display for Error {
                 Digits(exit),
                 Digits(entry)
             ),
+            Self::ReversalOutsideContact { entry, reversal, exit } => write!(
+                f,
+                "the two zones of a braking wheel part at {} rad, which must lie strictly between the exit angle {} rad and the \
+                 entry angle {} rad: another skid or another sinkage",
+                Digits(reversal),
+                Digits(exit),
+                Digits(entry)
+            ),
+            Self::ClosedFormOfTwoZones => {
+                write!(f, "two zones have no closed form: no shear stress acts at their peak; the quadrature takes them")
+            }
+            Self::SlipAngleOfTwoZones => {
+                write!(f, "two zones take no slip angle: no law for the force across such a wheel is known; one zone takes it")
+            }
+            Self::NotFreeRolling { load, slip, torque } => write!(
+                f,
+                "no skid was found at which the wheel carries {} N without a torque: at a slip of {} it still takes {} N·m",
+                Digits(load),
+                Digits(slip),
+                Digits(torque)
+            ),
             Self::LoadBeyondCapacity { load, largest, sinkage } => write!(
                 f,
                 "the soil does not carry {} N: the largest load it carries is {} N, at a sinkage of {} m",
@@ -254,12 +314,25 @@ impl fmt::Display for Error {
                 Digits(largest),
                 Digits(sinkage)
             ),
+            Self::LoadTooLight { load, least, sinkage } => write!(
+                f,
+                "a wheel that brakes like this with two zones digs itself in by {} m at least, where it carries {} N, more than {} N",
+                Digits(sinkage),
+                Digits(least),
+                Digits(load)
+            ),
             Self::LoadNotBalanced { load, iterations, residual, sinkage } => write!(
                 f,
                 "no sinkage was found that carries {} N: after {iterations} evaluations the best is {} m, off by {} N",
                 Digits(load),
                 Digits(sinkage),
                 Digits(residual)
+            ),
+            Self::LoadNotCoupled { support } => write!(
+                f,
+                "no normal stress carries a load here: with the shear stress of this braking wheel only {} is left of each newton \
+                 that the normal stress supports",
+                Digits(support)
             ),
             Self::NotFinite => write!(f, "the result overflows: the inputs are too large or too small together"),
         }

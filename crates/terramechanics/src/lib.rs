@@ -11,9 +11,14 @@
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
 //! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips. A wheel that
 //! moves at an angle to its plane has a [`SideSlip`] in its [`Method`], and a [`SideForce`] in its forces.
+//!
+//! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
+//! [`Coupled`] finds torque and pull from a load that is measured, and [`Resistances`] are the classical estimates for a load.
 
+mod braking;
 mod caution;
 mod contact;
+mod coupled;
 mod error;
 mod forces;
 mod lateral;
@@ -22,16 +27,20 @@ mod numerics;
 mod operation;
 mod pressure_sinkage;
 mod profile;
+mod resistances;
 mod shear;
 mod slip;
 mod slip_sinkage;
 mod soil;
 mod stress;
 mod sweep;
+mod towed;
 mod wheel;
 
-pub use caution::{Caution, cautions};
+pub use braking::Braking;
+pub use caution::{Caution, CautionKind, Outcome, TestedRange, cautions, system_cautions};
 pub use contact::{Angles, Contact, ContactParams, PeakRule};
+pub use coupled::{Coupled, CoupledForces};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
 pub use lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SlipAngle};
@@ -39,10 +48,12 @@ pub use load::CarriedLoad;
 pub use operation::{OperatingPoint, Operation, Sinkage};
 pub use pressure_sinkage::{Bekker, Diameter, Direct, PressureSinkage, Reece, SinkageExponent};
 pub use profile::StressProfile;
+pub use resistances::{Lacking, Resistances};
 pub use shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
 pub use slip::{Heading, Motion, Slip, Velocities};
 pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};
 pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
 pub use sweep::{Gap, SideColumns, SlipSweep};
+pub use towed::Towed;
 pub use wheel::{Wheel, WheelParams};

@@ -4,6 +4,9 @@
 //! line in z: a bracket found from one guess, then Brent's method, need some seven evaluations. On a driving wheel with its
 //! exit at the lowest point F_z grows with z and the balance is unique; else the one nearest to Bekker's estimate is found,
 //! where F_z rises through the load: a wheel set on the soil comes to rest there.
+//!
+//! Two zones of a braking wheel need a sinkage of their own, below which there is no contact: the balance is then sought in the
+//! sinkage beyond that, which is the depth under the peak.
 
 use crate::error::{Error, Fault, Parameter, Requirement};
 use crate::forces::{ForceModel, Forces};
@@ -22,8 +25,15 @@ const BRACKET_STEPS: u32 = 60;
 /// Smallest factor of an outward step.
 const STRIDE: f64 = 1.02;
 
+/// Share of a least sinkage beyond it within which no balance is sought: digits are left to tell the two apart.
+const NEAREST: f64 = 1e-12;
+
 /// Depths at which the normal force is sampled where it does not reach the load at z = r.
 const CAPACITY_SAMPLES: u32 = 64;
+
+/// Steps by which the largest normal force is closed in on; the normal force is flat there, so its place to 1e-8 of a stride
+/// gives its value to rounding.
+const SUMMIT_STEPS: u32 = 40;
 
 /// A solved load balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +53,8 @@ impl ForceModel {
     ///
     /// # Errors
     /// [`Error::Invalid`] for a load not greater than 0; [`Error::LoadBeyondCapacity`] with the largest load the soil
-    /// carries; [`Error::LoadNotBalanced`] with what was reached; what [`ForceModel::forces`] refuses.
+    /// carries; [`Error::LoadTooLight`] with the least that a braking wheel with two zones carries;
+    /// [`Error::LoadNotBalanced`] with what was reached; what [`Rolling::contact`] and [`ForceModel::forces`] refuse.
     pub fn solve_sinkage(&self, rolling: &Rolling<'_>, load: f64) -> Result<CarriedLoad, Error> {
         if !Requirement::Positive.holds(load) {
             return Err(Error::Invalid(Fault {
@@ -53,13 +64,15 @@ impl ForceModel {
             }));
         }
         let power = 1.0 / (rolling.sinkage_exponent() + 0.5);
-        let mut balance = Balance { model: self, rolling, load, power, level: load.powf(power), iterations: 0, latest: None };
+        let (least, most) = rolling.sinkages();
+        let level = load.powf(power);
+        let mut balance = Balance { model: self, rolling, load, power, level, least, most, iterations: 0, latest: None };
         let (below, above) = balance.bracket()?;
-        let found = bracketed_root(|z| balance.imbalance(z), below, above, TOLERANCE)?;
-        let sinkage = found.best.x;
+        let found = bracketed_root(|beyond| balance.imbalance(beyond), below, above, TOLERANCE)?;
+        let sinkage = balance.sinkage(found.best.x);
         let forces = match balance.latest {
             Some((z, forces)) if z == sinkage => forces,
-            _ => balance.forces(sinkage)?,
+            _ => balance.forces(found.best.x)?,
         };
         let residual = forces.normal - load;
         let iterations = balance.iterations;
@@ -79,14 +92,23 @@ struct Balance<'a> {
     power: f64,
     /// The load to that power.
     level: f64,
+    /// Sinkages (m) between which there is a contact; the search counts from the first.
+    least: f64,
+    most: f64,
     iterations: u32,
     /// The latest sinkage and its forces: mostly those of the solution.
     latest: Option<(f64, Forces)>,
 }
 
 impl Balance<'_> {
-    fn forces(&mut self, sinkage: f64) -> Result<Forces, Error> {
+    /// The sinkage (m) by what it is beyond the least; the last bit of the sum may not lead out of the range.
+    fn sinkage(&self, beyond: f64) -> f64 {
+        (self.least + beyond).min(self.most)
+    }
+
+    fn forces(&mut self, beyond: f64) -> Result<Forces, Error> {
         self.iterations += 1;
+        let sinkage = self.sinkage(beyond);
         let forces = self.model.forces(&self.rolling.contact(sinkage)?)?;
         self.latest = Some((sinkage, forces));
         Ok(forces)
@@ -94,34 +116,39 @@ impl Balance<'_> {
 
     /// The normal force on a scale on which it is about proportional to the sinkage, minus the load on the same scale; 0
     /// where they differ by no more than their own accuracy.
-    fn imbalance(&mut self, sinkage: f64) -> Result<f64, Error> {
-        let forces = self.forces(sinkage)?;
+    fn imbalance(&mut self, beyond: f64) -> Result<f64, Error> {
+        let forces = self.forces(beyond)?;
         if (forces.normal - self.load).abs() <= TOLERANCE * forces.normal_scale() {
             return Ok(0.0);
         }
         Ok(forces.normal.abs().powf(self.power).copysign(forces.normal) - self.level)
     }
 
-    fn sample(&mut self, sinkage: f64) -> Result<Sample, Error> {
-        Ok(Sample { x: sinkage, y: self.imbalance(sinkage)? })
+    fn sample(&mut self, beyond: f64) -> Result<Sample, Error> {
+        Ok(Sample { x: beyond, y: self.imbalance(beyond)? })
     }
 
     /// Two sinkages between which F_z rises through the load.
     fn bracket(&mut self) -> Result<(Sample, Sample), Error> {
-        let radius = self.rolling.system.wheel.radius();
-        let mut here = self.sample(self.bekker_estimate().min(radius))?;
+        let span = self.most - self.least;
+        let nearest = NEAREST * self.least;
+        let mut here = self.sample(self.bekker_estimate().max(nearest).min(span))?;
         for _ in 0..BRACKET_STEPS {
             // Where a straight line through the origin says the load is, and a little beyond.
             let ratio = self.level / (here.y + self.level);
             let next = if here.y < 0.0 {
-                if here.x >= radius {
+                if here.x >= span {
                     return self.carried_before_the_axle();
                 }
                 let factor = if ratio.is_finite() && ratio > 1.0 { 1.0 + (ratio - 1.0) * 1.2 } else { 2.0 };
-                self.sample((here.x * factor.clamp(STRIDE, 16.0)).min(radius))?
+                self.sample((here.x * factor.clamp(STRIDE, 16.0)).min(span))?
             } else {
+                if here.x <= nearest {
+                    let (least, sinkage) = (self.forces(here.x)?.normal, self.sinkage(here.x));
+                    return Err(Error::LoadTooLight { load: self.load, least, sinkage });
+                }
                 let factor = if ratio.is_finite() && ratio > 0.0 { 1.0 - (1.0 - ratio) * 1.2 } else { 0.5 };
-                self.sample(here.x * factor.clamp(1.0 / 16.0, 1.0 / STRIDE))?
+                self.sample((here.x * factor.clamp(1.0 / 16.0, 1.0 / STRIDE)).max(nearest))?
             };
             match (here.y < 0.0, next.y < 0.0) {
                 (true, false) => return Ok((here, next)),
@@ -130,7 +157,7 @@ impl Balance<'_> {
             }
         }
         let residual = self.forces(here.x)?.normal - self.load;
-        Err(Error::LoadNotBalanced { load: self.load, iterations: self.iterations, residual, sinkage: here.x })
+        Err(Error::LoadNotBalanced { load: self.load, iterations: self.iterations, residual, sinkage: self.sinkage(here.x) })
     }
 
     /// Bekker's sinkage of a rigid wheel, z = (3 W / ((3 − N) b K_s √(2r)))^(2/(2N+1)) (Bekker 1956): a first guess.
@@ -145,20 +172,61 @@ impl Balance<'_> {
     /// Where F_z(r) is below the load, F_z may still have reached it at a smaller sinkage, if it does not grow throughout (a
     /// braking wheel): the bracket of that, or the largest load.
     fn carried_before_the_axle(&mut self) -> Result<(Sample, Sample), Error> {
-        let radius = self.rolling.system.wheel.radius();
+        let span = self.most - self.least;
+        let stride = span / f64::from(CAPACITY_SAMPLES);
         let mut before = Sample { x: 0.0, y: -self.level };
-        let (mut largest, mut deepest) = (f64::NEG_INFINITY, radius);
+        let mut largest = Sample { x: span, y: f64::NEG_INFINITY };
         for i in 1..=CAPACITY_SAMPLES {
-            let here = self.sample(radius * f64::from(i) / f64::from(CAPACITY_SAMPLES))?;
+            let here = self.sample((stride * f64::from(i)).min(span))?;
             if here.y >= 0.0 {
                 return Ok((before, here));
             }
-            if here.y > largest {
-                (largest, deepest) = (here.y, here.x);
+            if here.y > largest.y {
+                largest = here;
             }
             before = here;
         }
+        largest = self.summit(largest, stride, span)?;
+        if largest.y >= 0.0 {
+            // On the way up to the summit F_z rises through the load.
+            let below = (largest.x - stride).max(0.0);
+            let below = if below > 0.0 { self.sample(below)? } else { Sample { x: 0.0, y: -self.level } };
+            if below.y < 0.0 {
+                return Ok((below, largest));
+            }
+        }
+        let deepest = largest.x;
         let largest = self.forces(deepest)?.normal;
-        Err(Error::LoadBeyondCapacity { load: self.load, largest, sinkage: deepest })
+        Err(Error::LoadBeyondCapacity { load: self.load, largest, sinkage: self.sinkage(deepest) })
+    }
+
+    /// The largest normal force within a stride of the largest sample, by golden section; the search ends where the load is
+    /// reached.
+    fn summit(&mut self, highest: Sample, stride: f64, span: f64) -> Result<Sample, Error> {
+        const GOLDEN: f64 = 0.618_033_988_749_894_8;
+        if highest.x >= span && self.sample(span * (1.0 - 1e-6))?.y < highest.y {
+            return Ok(highest); // it still grows at the end
+        }
+        let (mut left, mut right) = ((highest.x - stride).max(0.0), (highest.x + stride).min(span));
+        let mut inner_left = self.sample(right - GOLDEN * (right - left))?;
+        let mut inner_right = self.sample(left + GOLDEN * (right - left))?;
+        let mut highest = highest;
+        for _ in 0..SUMMIT_STEPS {
+            let higher = if inner_left.y > inner_right.y { inner_left } else { inner_right };
+            if higher.y > highest.y {
+                highest = higher;
+            }
+            if highest.y >= 0.0 {
+                break;
+            }
+            if inner_left.y > inner_right.y {
+                (right, inner_right) = (inner_right.x, inner_left);
+                inner_left = self.sample(right - GOLDEN * (right - left))?;
+            } else {
+                (left, inner_left) = (inner_left.x, inner_right);
+                inner_right = self.sample(left + GOLDEN * (right - left))?;
+            }
+        }
+        Ok(highest)
     }
 }

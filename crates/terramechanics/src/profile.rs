@@ -2,7 +2,7 @@
 
 use crate::contact::Angles;
 use crate::forces::{PeakDepth, peak_stresses};
-use crate::stress::ContactPatch;
+use crate::stress::{ContactPatch, Stresses};
 
 /// Stresses at places from the exit to the entry, as columns of one length.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -15,9 +15,9 @@ pub struct StressProfile {
     pub normal: Vec<f64>,
     /// τ (Pa).
     pub shear: Vec<f64>,
-    /// Linearised σ (Pa). Eqs. (7a), (7b).
+    /// Linearised σ (Pa); NaN where a braking wheel has two zones, at whose peak no shear stress acts. Eqs. (7a), (7b).
     pub normal_linear: Vec<f64>,
-    /// Linearised τ (Pa). Eqs. (7c), (7d).
+    /// Linearised τ (Pa); NaN as above. Eqs. (7c), (7d).
     pub shear_linear: Vec<f64>,
 }
 
@@ -30,7 +30,8 @@ impl StressProfile {
     #[must_use]
     pub fn of(patch: &ContactPatch<'_>, points: usize, peak_depth: PeakDepth) -> Self {
         let Angles { entry, peak, exit } = patch.angles;
-        let linear_peak = peak_stresses(patch, peak_depth);
+        let linear_peak =
+            if patch.has_two_zones() { Stresses { normal: f64::NAN, shear: f64::NAN } } else { peak_stresses(patch, peak_depth) };
         let steps = points.max(Self::FEWEST_POINTS) - 1;
         let rear_steps = ((steps as f64 * (peak - exit) / (entry - exit)).round() as usize).clamp(1, steps - 1);
         let column = || Vec::with_capacity(steps + 1);

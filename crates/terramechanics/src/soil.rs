@@ -28,6 +28,8 @@ pub struct Soil {
     tan_friction: f64,
     /// Reciprocal of the displacement by which the shear law scales (1/m).
     per_shear_scale: f64,
+    /// Gravity where the soil lies (m/s²), if it is known.
+    gravity: Option<f64>,
 }
 
 impl Soil {
@@ -53,13 +55,32 @@ impl Soil {
             checks.extend(value.map(|value| (parameter, value, Requirement::Positive)));
         }
         InvalidInput::check(&checks)?;
-        Ok(Self { params, tan_friction: params.friction_angle.tan(), per_shear_scale: 1.0 / params.shear.scale() })
+        Ok(Self { params, tan_friction: params.friction_angle.tan(), per_shear_scale: 1.0 / params.shear.scale(), gravity: None })
+    }
+
+    /// The same soil, marked as one that lies in this gravity (m/s²). No force depends on it, as the weight of the wheel is
+    /// given; results in a low one carry a [`crate::Caution`].
+    #[must_use]
+    pub fn in_gravity(self, gravity: f64) -> Self {
+        Self { gravity: Some(gravity), ..self }
+    }
+
+    /// Gravity where the soil lies (m/s²), if it is known.
+    #[must_use]
+    pub fn gravity(&self) -> Option<f64> {
+        self.gravity
     }
 
     /// Cohesion c (Pa).
     #[must_use]
     pub fn cohesion(&self) -> f64 {
         self.params.cohesion
+    }
+
+    /// Internal friction angle φ (rad).
+    #[must_use]
+    pub fn friction_angle(&self) -> f64 {
+        self.params.friction_angle
     }
 
     /// tan φ (–).

@@ -8,9 +8,10 @@
 //! | (6) exponent of E | [`ContactPatch::shear_displacement`] |
 //!
 //! Departures: Eq. (3) holds ahead of the peak and Eq. (4) behind it, the other way round than printed (erratum 1); for (6)
-//! see `shear/`. All differences of circular functions are written as products, so that a light wheel on firm ground
+//! see `shear/`. At s < 0 the displacement may follow another law instead (`braking/`). All differences of circular functions are written as products, so that a light wheel on firm ground
 //! (z/r = 1e-6) keeps its digits.
 
+use crate::braking::Zones;
 use crate::contact::{Angles, Contact};
 use crate::error::Error;
 use crate::numerics::brent::{Sample, bracketed_root};
@@ -40,9 +41,10 @@ pub struct Rolling<'a> {
     pub slip: Slip,
     modulus: f64,
     exponent: f64,
-    /// κ = v/(rω) (–).
-    pub(crate) velocity_ratio: f64,
+    velocity_ratio: f64,
     velocity_complement: f64,
+    /// θ0 where the law of braking has two zones.
+    reversal: Option<f64>,
 }
 
 impl WheelOnSoil {
@@ -66,7 +68,8 @@ impl WheelOnSoil {
             return Err(Error::ModulusNotPositive { modulus });
         }
         let (velocity_ratio, velocity_complement) = slip.velocity_ratio();
-        Ok(Rolling { system: self, slip, modulus, exponent, velocity_ratio, velocity_complement })
+        let reversal = self.contact.braking().reversal(slip, &self.soil);
+        Ok(Rolling { system: self, slip, modulus, exponent, velocity_ratio, velocity_complement, reversal })
     }
 }
 
@@ -86,17 +89,21 @@ impl Rolling<'_> {
     /// The contact at `sinkage` z (m).
     ///
     /// # Errors
-    /// [`Error::SinkageOutsideWheel`] unless 0 < z ≤ r, [`Error::PeakOutsideContact`].
+    /// [`Error::SinkageOutsideWheel`] unless 0 < z ≤ r, [`Error::PeakOutsideContact`], [`Error::ReversalOutsideContact`].
     pub fn contact(&self, sinkage: f64) -> Result<ContactPatch<'_>, Error> {
         let radius = self.system.wheel.radius();
         if !(sinkage > 0.0 && sinkage <= radius) {
             return Err(Error::SinkageOutsideWheel { sinkage, radius });
         }
         let depth_ratio = sinkage / radius;
+        let angles = match self.reversal {
+            None => self.system.contact.angles(depth_ratio, self.slip)?,
+            Some(reversal) => self.system.contact.angles_parted_at(reversal, depth_ratio)?,
+        };
         Ok(ContactPatch {
             rolling: self,
             sinkage,
-            angles: self.system.contact.angles(depth_ratio, self.slip)?,
+            angles,
             sin_entry: (depth_ratio * (2.0 - depth_ratio)).sqrt(),
             cos_entry: 1.0 - depth_ratio, // Eq. (3) at θ = 0
         })
@@ -107,6 +114,19 @@ impl Rolling<'_> {
     pub(crate) fn turning(&self) -> f64 {
         // arccos(1 + s), written for small slip.
         2.0 * (-0.5 * self.slip.ratio().min(0.0)).sqrt().asin()
+    }
+
+    /// Sinkages (m) between which the wheel can have a contact: the lower one, not itself one of them, is 0 unless two zones
+    /// take a depth of their own.
+    pub(crate) fn sinkages(&self) -> (f64, f64) {
+        let radius = self.system.wheel.radius();
+        self.reversal.map_or((0.0, radius), |reversal| self.system.contact.sinkages_parted_at(reversal, radius))
+    }
+
+    /// κ = v/(rω) and 1 − κ.
+    #[inline]
+    pub(crate) fn velocity_ratio(&self) -> (f64, f64) {
+        (self.velocity_ratio, self.velocity_complement)
     }
 
     /// σ (Pa) at `depth` (m). Eq. (1).
@@ -139,7 +159,7 @@ pub struct ContactPatch<'a> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RimPoint {
     /// x = δ/2, sin x and x − sin x.
-    half_arc: f64,
+    pub(crate) half_arc: f64,
     sin_half_arc: f64,
     excess: f64,
     /// sin a and 1 − cos a of a = (θ1 + θ)/2.
@@ -169,6 +189,18 @@ pub struct Stresses {
 }
 
 impl ContactPatch<'_> {
+    /// Whether it is the contact of a braking wheel with two zones.
+    #[must_use]
+    pub fn has_two_zones(&self) -> bool {
+        self.rolling.reversal.is_some()
+    }
+
+    /// The zones of a braking wheel, where its law has two.
+    #[inline]
+    pub(crate) fn zones(&self) -> Option<Zones> {
+        self.rolling.reversal.map(|reversal| Zones::new(self.angles.entry, reversal))
+    }
+
     /// Depth that presses on the rim at `theta` (rad) in [θ2, θ1], in (m): the geometric one ahead of the peak, its mirror
     /// image behind. Eqs. (3), (4).
     #[must_use]
@@ -227,18 +259,30 @@ impl ContactPatch<'_> {
         velocity_complement + velocity_ratio * (point.sin * point.sin / (1.0 + point.cos))
     }
 
-    /// E (–) at a place of the rim: what an endless displacement leaves, turned, all along the contact of a locked wheel.
+    /// E (–) at a place of the rim.
     #[inline]
     pub(crate) fn mobilisation(&self, point: &RimPoint) -> f64 {
+        match self.zones() {
+            None => self.mobilisation_of_one_zone(point),
+            Some(zones) => zones.mobilisation(self, point),
+        }
+    }
+
+    /// E (–) of a contact of one zone: what an endless displacement leaves, turned, all along the contact of a locked wheel.
+    #[inline]
+    pub(crate) fn mobilisation_of_one_zone(&self, point: &RimPoint) -> f64 {
         let soil = &self.rolling.system.soil;
         if self.rolling.slip.is_locked() { -soil.shear().residual() } else { soil.mobilisation(self.displacement(point)) }
     }
 
     /// Shear displacement j (m) at `theta` (rad): 0 at the entry, not negative on a driving wheel, infinite on a locked one
-    /// (no finite displacement describes a wheel that does not turn). Eq. (6).
+    /// (no finite displacement describes a wheel that does not turn). Eq. (6). Of two zones, positive in the front one and
+    /// negative in the rear one.
     #[must_use]
     pub fn shear_displacement(&self, theta: f64) -> f64 {
-        if self.rolling.slip.is_locked() {
+        if let Some(zones) = self.zones() {
+            zones.displacement(self, &self.rim_point(self.angles.entry - theta))
+        } else if self.rolling.slip.is_locked() {
             f64::NEG_INFINITY
         } else {
             self.displacement(&self.rim_point(self.angles.entry - theta))
@@ -286,7 +330,8 @@ impl ContactPatch<'_> {
     /// the second only behind the lowest point.
     ///
     /// With g(θ) = κ sin θ − θ, which is odd, j = r (g(θ) − g(θ1)); g rises between −θ* and θ* = arccos(1/κ) and falls
-    /// outside. So j can vanish once on the rise and once more on the fall behind −θ*.
+    /// outside. So j can vanish once on the rise and once more on the fall behind −θ*. Of two zones the one between them, the
+    /// peak, is not listed, and θ0 < θ*.
     pub(crate) fn shear_reversals(&self) -> ShearReversals {
         let mut reversals = ShearReversals::default();
         let slip = self.rolling.slip;
@@ -295,24 +340,33 @@ impl ContactPatch<'_> {
             return reversals;
         }
         let turning = self.rolling.turning();
+        if self.has_two_zones() {
+            self.push_reversal_between(-turning, exit, &mut reversals); // j falls from θ0 on, until it turns
+            return reversals;
+        }
         if turning >= entry {
             return reversals; // j falls from the entry on
         }
         for (front, rear) in [(turning, (-turning).max(exit)), (-turning, exit)] {
-            if rear >= front {
-                continue;
-            }
-            let at = |theta: f64| Sample { x: theta, y: self.shear_displacement(theta) };
-            let (front, rear) = (at(front), at(rear));
-            if front.y * rear.y >= 0.0 {
-                continue;
-            }
-            let find = |theta| Ok::<_, std::convert::Infallible>(self.shear_displacement(theta));
-            // A reversal misplaced by ε changes the integral by about ε³, so this tolerance is ample.
-            let Ok(found) = bracketed_root(find, front, rear, 1e-10);
-            reversals.push(entry - found.best.x);
+            self.push_reversal_between(front, rear, &mut reversals);
         }
         reversals
+    }
+
+    /// Adds the arc at which j changes sign between two angles (rad), if it does.
+    fn push_reversal_between(&self, front: f64, rear: f64, reversals: &mut ShearReversals) {
+        if rear >= front {
+            return;
+        }
+        let at = |theta: f64| Sample { x: theta, y: self.shear_displacement(theta) };
+        let (front, rear) = (at(front), at(rear));
+        if front.y * rear.y >= 0.0 {
+            return;
+        }
+        let find = |theta| Ok::<_, std::convert::Infallible>(self.shear_displacement(theta));
+        // A reversal misplaced by ε changes the integral by about ε³, so this tolerance is ample.
+        let Ok(found) = bracketed_root(find, front, rear, 1e-10);
+        reversals.push(self.angles.entry - found.best.x);
     }
 }
 

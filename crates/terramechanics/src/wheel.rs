@@ -19,6 +19,8 @@ pub struct WheelParams {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wheel {
     params: WheelParams,
+    /// Whether the lug height is a stand-in for one that nobody knows.
+    lug_height_is_assumed: bool,
 }
 
 impl Wheel {
@@ -36,7 +38,19 @@ impl Wheel {
             (Parameter::LugHeight, params.lug_height, Requirement::NotNegative),
             (Parameter::LugCoefficient, params.lug_coefficient, Requirement::Within { min: 0.0, max: 1.0 }),
         ])?;
-        Ok(Self { params })
+        Ok(Self { params, lug_height_is_assumed: false })
+    }
+
+    /// The same wheel, marked as one whose lug height is not known: its results carry a [`crate::Caution`] that says so.
+    #[must_use]
+    pub fn with_unknown_lug_height(self) -> Self {
+        Self { lug_height_is_assumed: true, ..self }
+    }
+
+    /// Whether the lug height stands in for one that is not known.
+    #[must_use]
+    pub fn lug_height_is_assumed(&self) -> bool {
+        self.lug_height_is_assumed
     }
 
     /// Rim radius r (m).
@@ -49,6 +63,12 @@ impl Wheel {
     #[must_use]
     pub fn width(&self) -> f64 {
         self.params.width
+    }
+
+    /// Lug height h (m).
+    #[must_use]
+    pub fn lug_height(&self) -> f64 {
+        self.params.lug_height
     }
 
     /// Radius at which the shear stress acts, r_s = r + λ_s h (m). Eq. (9).

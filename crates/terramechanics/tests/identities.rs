@@ -4,7 +4,8 @@ mod common;
 
 use common::{LETTER_SOIL, LETTER_WHEEL, contact, forces, letter, slip, system};
 use terramechanics::{
-    Angles, Contact, Forces, Lambda, Method, PeakDepth, PeakRule, ShapeIntegrals, SlipSinkage, StressProfile, WheelParams,
+    Angles, Contact, ForceModel, Forces, Lambda, Method, Operation, Outcome, PeakDepth, PeakRule, ShapeIntegrals, Sinkage,
+    SlipSinkage, StressProfile, WheelOnSoil, WheelParams, cautions,
 };
 
 /// ∫ f over [from, to] by Simpson's rule, whose error here is far below the tolerances: an independent rule on purpose.
@@ -179,4 +180,18 @@ fn a_profile_rises_from_exit_to_entry_through_the_peak() {
             assert_eq!(profile.normal[i], patch.normal_stress(theta));
         }
     }
+}
+
+/// What is not known of the lugs changes no number, only what a result says of itself.
+#[test]
+fn a_wheel_of_unknown_lug_height_has_the_same_forces_and_says_so() {
+    let known = letter();
+    let unknown = WheelOnSoil { wheel: known.wheel.with_unknown_lug_height(), ..known };
+    let codes = |system: WheelOnSoil| {
+        let operation = Operation { system, model: ForceModel::at_rim(Method::Quadrature), sinkage: Sinkage::Given(0.02) };
+        let outcome = Outcome { slip: slip(0.2), sinkage: 0.02, normal: None, integration_error: 0.0, mobilised_share: None };
+        cautions(&operation, &outcome).map(|caution| caution.kind.code).collect::<Vec<_>>()
+    };
+    assert_eq!(forces(&known, 0.2, 0.02, Method::Quadrature), forces(&unknown, 0.2, 0.02, Method::Quadrature));
+    assert_eq!((codes(known), codes(unknown)), (vec!["small_wheel"], vec!["small_wheel", "lug_height_assumed"]));
 }

@@ -4,9 +4,9 @@ mod common;
 
 use common::{LETTER_LAW, LETTER_SOIL, LETTER_WHEEL, contact, letter, slip, system};
 use terramechanics::{
-    Bekker, Contact, ContactParams, Error, Fault, ForceModel, InvalidInput, JanosiHanamoto, Lambda, Method, Operation, Parameter,
-    PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SlipSweep, Soil, SoilParams, Wheel,
-    WheelParams, WongPeak, WongResidual,
+    Bekker, Contact, ContactParams, Direct, Error, Fault, ForceModel, InvalidInput, JanosiHanamoto, Lambda, Method, Operation,
+    Parameter, PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SlipSweep, Soil, SoilParams,
+    Wheel, WheelOnSoil, WheelParams, WongPeak, WongResidual,
 };
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -202,4 +202,39 @@ fn a_sweep_names_its_gaps_and_fills_the_rest() {
         }
     }
     assert!(sweep.tractive_efficiency[0].is_nan() && sweep.drawbar_coefficient[0].is_finite(), "braking has no efficiency");
+}
+
+#[test]
+fn the_largest_load_of_a_locked_wheel_is_the_largest_and_all_below_it_are_carried() {
+    // Steep friction: the shear that drags a locked wheel down outgrows the support well before the axle.
+    let system = WheelOnSoil {
+        soil: Soil::new(SoilParams {
+            cohesion: 0.0,
+            friction_angle: 1.2,
+            shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
+            pressure_sinkage: PressureSinkage::Direct(Direct {
+                k_s: 1e6,
+                exponent: SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None },
+            }),
+            unit_weight: None,
+            lateral_shear_modulus: None,
+        })
+        .expect("a soil"),
+        ..letter()
+    };
+    let rolling = system.rolling(Slip::LOCKED).expect("a rolling wheel");
+    let model = ForceModel::at_rim(Method::Quadrature);
+    let Err(Error::LoadBeyondCapacity { largest, sinkage, .. }) = model.solve_sinkage(&rolling, 1e6) else {
+        panic!("a load beyond the soil's is refused");
+    };
+    assert!(sinkage > 0.0 && sinkage < 0.2);
+    for i in 1..=4000 {
+        let normal = model.forces(&rolling.contact(0.2 * f64::from(i) / 4000.0).expect("a contact")).expect("forces").normal;
+        assert!(normal <= largest * (1.0 + 1e-12), "{normal} N at sample {i} exceeds {largest} N");
+    }
+    for share in [0.99, 0.999, 1.0 - 1e-6, 1.0 - 1e-9] {
+        let carried = model.solve_sinkage(&rolling, share * largest).expect("below the largest load");
+        assert!((carried.forces.normal / (share * largest) - 1.0).abs() < 1e-9, "{share}");
+    }
+    assert!(model.solve_sinkage(&rolling, largest * (1.0 + 1e-9)).is_err());
 }

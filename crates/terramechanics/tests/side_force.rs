@@ -6,8 +6,8 @@ use common::{LETTER_SOIL, LETTER_WHEEL, SIDE_FORCE_CASES, cases, contact, model_
 use proptest::prelude::*;
 use serde_json::Value;
 use terramechanics::{
-    Bulldozing, Contact, Error, ForceModel, Forces, Heading, Method, Parameter, PeakRule, ShearCoupling, SideForce, SideSlip,
-    SlipAngle, SoilParams, WheelOnSoil, WheelParams,
+    Braking, Bulldozing, Contact, Error, ForceModel, Forces, Heading, Method, Parameter, PeakRule, ShearCoupling, SideForce,
+    SideSlip, SlipAngle, SoilParams, WheelOnSoil, WheelParams,
 };
 
 /// What the quadrature promises.
@@ -216,6 +216,24 @@ fn the_mirror_image_turns_the_aligning_moment_only() {
     let back = ahead.heading(Heading::Backward).side.expect("a force across");
     assert_eq!((back.lateral, back.overturning_moment), (side.lateral, side.overturning_moment));
     assert_eq!(back.aligning_moment, -side.aligning_moment);
+}
+
+#[test]
+fn two_zones_take_no_slip_angle_but_go_straight() {
+    let contact = Contact::MIDPOINT.with_braking(Braking::TwoZone);
+    let zoned = system(LETTER_WHEEL, SAND, contact);
+    let forces_at = |ratio: f64, method: Method| {
+        let rolling = zoned.rolling(slip(ratio)).expect("a rolling wheel");
+        ForceModel::at_rim(method).forces(&rolling.contact(0.02).expect("a contact"))
+    };
+    for coupling in COUPLINGS {
+        let at = |ratio: f64, beta: f64| forces_at(ratio, Method::SideSlipping(side_slip(beta, coupling)));
+        assert_eq!(at(-0.1, 0.1), Err(Error::SlipAngleOfTwoZones));
+        assert!(at(0.1, 0.1).is_ok(), "a driving wheel has one zone");
+        let (straight, plain) = (at(-0.1, 0.0).expect("forces"), forces_at(-0.1, Method::Quadrature).expect("forces"));
+        assert_eq!(straight.components, plain.components);
+        assert_eq!(straight.side.expect("a force across").lateral, 0.0);
+    }
 }
 
 #[test]

@@ -49,6 +49,17 @@ pub enum NormalStressRadius {
     Shearing,
 }
 
+impl NormalStressRadius {
+    /// The radius r_n (m) of `wheel`.
+    #[must_use]
+    pub fn of(self, wheel: &Wheel) -> f64 {
+        match self {
+            Self::Rim => wheel.radius(),
+            Self::Shearing => wheel.shearing_radius(),
+        }
+    }
+}
+
 /// How the forces are found from the stresses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
@@ -99,16 +110,14 @@ impl ForceModel {
     /// Radius r_n (m) at which the normal stress acts on `wheel`.
     #[must_use]
     pub fn normal_stress_radius(&self, wheel: &Wheel) -> f64 {
-        match self.normal_stress_radius {
-            NormalStressRadius::Rim => wheel.radius(),
-            NormalStressRadius::Shearing => wheel.shearing_radius(),
-        }
+        self.normal_stress_radius.of(wheel)
     }
 
     /// Forces and torque on the wheel in the contact `patch`.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a λ that is not finite, [`Error::NotFinite`] where a result overflows.
+    /// [`Error::Invalid`] for a λ that is not finite, [`Error::ClosedFormOfTwoZones`] for a closed form of a braking wheel
+    /// with two zones, [`Error::SlipAngleOfTwoZones`] for a slip angle of one, [`Error::NotFinite`] where a result overflows.
     ///
     /// ```
     /// use terramechanics::*;
@@ -140,7 +149,13 @@ impl ForceModel {
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<Forces, Error> {
         let forces = match self.method {
             Method::Quadrature => quadrature::forces(self, patch),
+            Method::SideSlipping(side) if patch.has_two_zones() && side.angle.angle() != 0.0 => {
+                return Err(Error::SlipAngleOfTwoZones);
+            }
             Method::SideSlipping(side) => side::forces(self, patch, &side),
+            Method::Linearised { .. } | Method::Explicit { .. } if patch.has_two_zones() => {
+                return Err(Error::ClosedFormOfTwoZones);
+            }
             Method::Linearised { peak_depth } => linearised::forces(self, patch, peak_depth),
             Method::Explicit { peak_depth, lambda_a, lambda_b } => {
                 for (parameter, lambda) in [(Parameter::LambdaA, lambda_a), (Parameter::LambdaB, lambda_b)] {

@@ -2,6 +2,8 @@
 //!
 //! A panel is a range of u in [0, 1], see [`quadrature`](super::quadrature); its sums say how well they are resolved.
 
+use std::ops::Range;
+
 /// Panels after which no more are halved.
 pub(super) const PANELS: usize = 48;
 
@@ -11,7 +13,8 @@ const TOLERANCE: f64 = 1e-10;
 /// Rounding left in any sum of this length.
 pub(super) const ROUNDING: f64 = 2e-15;
 
-/// Both ends, a layer of shear, two reversals, two places where the slip velocity turns.
+/// Ends of panels to begin with at the most: of a coupled stress both ends, a layer of shear, two reversals and two places where
+/// the slip velocity turns.
 const MOST_EDGES: usize = 7;
 
 /// Sums over a panel, or over all of them, with their errors.
@@ -39,20 +42,23 @@ pub(super) struct Edges {
 
 impl Edges {
     /// The first end alone.
+    #[inline]
     pub(super) fn new() -> Self {
         Self { places: [0.0; MOST_EDGES], count: 1 }
     }
 
-    /// An end at t = u⁴, if it lies in 0 < u < `below`.
-    pub(super) fn split(&mut self, t: f64, below: f64) {
+    /// An end at t = u⁴, if u lies inside `within`.
+    #[inline]
+    pub(super) fn split(&mut self, t: f64, within: Range<f64>) {
         let u = t.sqrt().sqrt();
-        if u > 0.0 && u < below {
+        if u > within.start && u < within.end {
             self.places[self.count] = u;
             self.count += 1;
         }
     }
 
     /// The ends with the last one.
+    #[inline]
     pub(super) fn close(mut self) -> Self {
         self.places[self.count] = 1.0;
         self.count += 1;
@@ -69,10 +75,10 @@ struct Panel<S> {
     sums: S,
 }
 
-/// The sums over all panels, of which `sums` gives those over a range of u.
+/// The sums over all panels, of which `sums` gives those over a range of u; at most `FEW` panels to begin with.
 #[inline]
-pub(super) fn integrate<S: Resolved>(edges: &Edges, sums: impl Fn(f64, f64) -> S) -> S {
-    let mut few = [Panel::default(); MOST_EDGES - 1];
+pub(super) fn integrate<S: Resolved, const FEW: usize>(edges: &Edges, sums: impl Fn(f64, f64) -> S) -> S {
+    let mut few = [Panel::default(); FEW];
     let panels = &mut few[..edges.count - 1];
     for (panel, edge) in panels.iter_mut().zip(edges.places.windows(2)) {
         *panel = Panel { from: edge[0], to: edge[1], sums: sums(edge[0], edge[1]) };

@@ -1,7 +1,7 @@
 //! Forces by numerical integration of the stresses (letter, Eq. 10; Wong & Reece 1967).
 //!
 //! The rule. σ vanishes like the distance to the power N, not an integer, at the entry and at the exit, where plain
-//! Gauss–Legendre converges slowly (1e-7 with 128 points). Four choices make it fast:
+//! Gauss–Legendre converges slowly (1e-7 with 128 points). These choices make it fast:
 //!
 //! * Both sides of the peak are run through by one variable t from their free end (entry or exit, t = 0) to the peak
 //!   (t = 1). The depth behind the peak is the mirror image of the depth ahead of it (Eq. 4), so one σ(t) serves both.
@@ -9,6 +9,7 @@
 //!   Of u² … u⁶ it needed the fewest points over random wheels and soils.
 //! * 24 points of Gauss–Legendre in u: 48 stresses reach 1e-13 on ordinary driving wheels.
 //! * A braking wheel's E has a jump in its second derivative where j changes sign: the range is split there.
+//! * Where a braking wheel has two zones (`braking/`), they part at the peak, and E saturates behind and ahead of it too.
 //! * Where E saturates within a small part of the contact (K thousands of times smaller than the wheel, or a wheel all but
 //!   locked), the range is split behind that layer, which the points might else step over.
 //!
@@ -18,6 +19,7 @@
 
 use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
 use super::{Components, ForceModel, Forces};
+use crate::braking::Zones;
 use crate::contact::Angles;
 use crate::numerics::gauss_legendre::{NODES, Node};
 use crate::stress::{ContactPatch, RimPoint};
@@ -28,19 +30,29 @@ const LAYERS: f64 = 20.0;
 /// Share of the range of u that the layer has to fall short of, to be split off; else the 24 points resolve it.
 const THIN: f64 = 0.7;
 
+/// Place in u behind which a layer at the peak has to begin, to be split off.
+const LATE: f64 = 0.7;
+
 pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>) -> Forces {
     let rim = Rim::of(patch);
-    forces_of(model, &rim, &rim.edges(), |point| patch.mobilisation(point))
+    let integrals = match patch.zones() {
+        None => integrals::<_, { OneZone::FEW }>(&rim, &OneZone(patch)),
+        Some(zones) => integrals_of_two_zones(&rim, &zones),
+    };
+    forces_of(model, patch, &integrals)
 }
 
-/// The forces where `mobilisation` is E along the rim and `edges` are the places where it is not smooth.
+/// The forces of a contact whose shear stress follows a law of its own.
+pub(super) fn forces_by<S: Shearing, const FEW: usize>(model: &ForceModel, rim: &Rim<'_>, shearing: &S) -> Forces {
+    forces_of(model, rim.patch, &integrals::<S, FEW>(rim, shearing))
+}
+
 #[inline]
-pub(super) fn forces_of(model: &ForceModel, rim: &Rim<'_>, edges: &Edges, mobilisation: impl Fn(&RimPoint) -> f64) -> Forces {
-    let wheel = &rim.patch.rolling.system.wheel;
-    let integrals = integrate(edges, |from, to| rim.panel(from, to, &mobilisation));
+fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Sums) -> Forces {
+    let wheel = &patch.rolling.system.wheel;
     let normal = model.normal_stress_radius(wheel) * wheel.width();
     let shear = wheel.shearing_radius() * wheel.width();
-    let Sums { normal_cos, normal_sin, shear_cos, shear_sin, shear_plain, .. } = integrals;
+    let Sums { normal_cos, normal_sin, shear_cos, shear_sin, shear_plain, .. } = *integrals;
     let components = Components {
         traction: shear * shear_cos,
         resistance: normal * normal_sin,
@@ -48,6 +60,18 @@ pub(super) fn forces_of(model: &ForceModel, rim: &Rim<'_>, edges: &Edges, mobili
         shear_support: shear * shear_sin,
     };
     Forces::new(components, wheel.shearing_radius() * shear * shear_plain, integrals.relative_error())
+}
+
+/// The integrals, from at most `FEW` panels to begin with.
+fn integrals<S: Shearing, const FEW: usize>(rim: &Rim<'_>, shearing: &S) -> Sums {
+    integrate::<_, FEW>(&shearing.edges(rim), |from, to| rim.panel(shearing, from, to))
+}
+
+/// The integrals of a contact of two zones. Apart, so that other contacts do not carry its code along.
+#[cold]
+#[inline(never)]
+fn integrals_of_two_zones(rim: &Rim<'_>, zones: &Zones) -> Sums {
+    integrals::<_, { TwoZones::FEW }>(rim, &TwoZones(rim.patch, zones))
 }
 
 /// Sums over a panel, or over all of them.
@@ -81,6 +105,7 @@ impl Sums {
 }
 
 impl Resolved for Sums {
+    #[inline]
     fn add(&mut self, other: &Self) {
         self.normal_cos += other.normal_cos;
         self.normal_sin += other.normal_sin;
@@ -92,6 +117,7 @@ impl Resolved for Sums {
         self.shear_error += other.shear_error;
     }
 
+    #[inline]
     fn relative_error(&self) -> f64 {
         let share = |error: f64, size: f64| if size > 0.0 { error / size } else { 0.0 };
         ROUNDING + share(self.normal_error, self.normal_cos).max(share(self.shear_error, self.shear_size))
@@ -99,6 +125,70 @@ impl Resolved for Sums {
 
     fn error_share(&self, total: &Self) -> f64 {
         (self.normal_error / total.normal_cos).max(self.shear_error / total.shear_size.max(f64::MIN_POSITIVE))
+    }
+}
+
+/// How the soil is sheared on the two sides of the peak. A type of its own for each law, so that neither pays for the other.
+pub(super) trait Shearing {
+    /// E at a place ahead of the peak, and at one behind it.
+    fn ahead(&self, point: &RimPoint) -> f64;
+    fn behind(&self, point: &RimPoint) -> f64;
+
+    /// Ends of the panels: the ends of thin layers of shear, and the places where E is not smooth.
+    fn edges(&self, rim: &Rim<'_>) -> Edges;
+}
+
+struct OneZone<'a>(&'a ContactPatch<'a>);
+
+impl OneZone<'_> {
+    /// Panels to begin with at the most: parted by a layer of shear and two reversals.
+    const FEW: usize = 4;
+}
+
+impl Shearing for OneZone<'_> {
+    #[inline(always)]
+    fn ahead(&self, point: &RimPoint) -> f64 {
+        self.0.mobilisation_of_one_zone(point)
+    }
+
+    #[inline(always)]
+    fn behind(&self, point: &RimPoint) -> f64 {
+        self.0.mobilisation_of_one_zone(point)
+    }
+
+    #[inline(always)]
+    fn edges(&self, rim: &Rim<'_>) -> Edges {
+        let mut edges = Edges::new();
+        rim.split_layer(&mut edges, self.0.shear_layer());
+        rim.split_reversals(&mut edges);
+        edges.close()
+    }
+}
+
+struct TwoZones<'a>(&'a ContactPatch<'a>, &'a Zones);
+
+impl TwoZones<'_> {
+    /// Panels to begin with at the most: parted by three layers of shear and a reversal.
+    const FEW: usize = 5;
+}
+
+impl Shearing for TwoZones<'_> {
+    fn ahead(&self, point: &RimPoint) -> f64 {
+        self.1.mobilisation_ahead(self.0, point)
+    }
+
+    fn behind(&self, point: &RimPoint) -> f64 {
+        self.1.mobilisation_behind(self.0, point)
+    }
+
+    fn edges(&self, rim: &Rim<'_>) -> Edges {
+        let mut edges = Edges::new();
+        let [entry, ahead, behind] = self.1.shear_layers(self.0);
+        rim.split_layer(&mut edges, entry);
+        edges.split(1.0 - LAYERS * ahead / rim.front, LATE..1.0);
+        edges.split(1.0 - LAYERS * behind / rim.rear, LATE..1.0);
+        rim.split_reversals(&mut edges);
+        edges.close()
     }
 }
 
@@ -117,28 +207,27 @@ impl<'a> Rim<'a> {
         Self { patch, front: entry - peak, rear: peak - exit, whole: entry - exit }
     }
 
-    /// Ends of the panels: the end of a thin layer of shear and the places where j changes sign.
-    fn edges(&self) -> Edges {
-        let mut edges = Edges::new();
-        self.split_layer(&mut edges, self.patch.shear_layer());
-        for &arc in self.patch.shear_reversals().arcs() {
-            self.split(&mut edges, arc);
-        }
-        edges.close()
-    }
-
-    /// An edge behind a layer of that arc (rad) at the entry, if it is thin.
-    pub(super) fn split_layer(&self, edges: &mut Edges, layer: f64) {
-        edges.split(LAYERS * layer / self.front, THIN);
-    }
-
-    /// An edge at an arc (rad) behind the entry.
-    pub(super) fn split(&self, edges: &mut Edges, arc: f64) {
-        edges.split(if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear }, 1.0);
-    }
-
+    /// An end behind a layer of that arc (rad) at the entry, if it is thin.
     #[inline]
-    fn panel(&self, from: f64, to: f64, mobilisation: impl Fn(&RimPoint) -> f64) -> Sums {
+    pub(super) fn split_layer(&self, edges: &mut Edges, layer: f64) {
+        edges.split(LAYERS * layer / self.front, 0.0..THIN);
+    }
+
+    /// An end at an arc (rad) behind the entry.
+    #[inline]
+    pub(super) fn split(&self, edges: &mut Edges, arc: f64) {
+        edges.split(if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear }, 0.0..1.0);
+    }
+
+    /// Ends at the places where j changes sign.
+    #[inline]
+    pub(super) fn split_reversals(&self, edges: &mut Edges) {
+        for &arc in self.patch.shear_reversals().arcs() {
+            self.split(edges, arc);
+        }
+    }
+
+    fn panel<S: Shearing>(&self, shearing: &S, from: f64, to: f64) -> Sums {
         let Self { patch, front: front_arc, rear: rear_arc, whole } = *self;
         let length = to - from;
         let mut sums = Sums::default();
@@ -152,8 +241,8 @@ impl<'a> Rim<'a> {
             let normal = patch.rolling.pressure(patch.geometric_depth(&front)); // Eqs. (1), (3), (4): the same on both sides
             let strength = patch.rolling.shear_strength(normal);
             let (front_weight, rear_weight) = (weight * front_arc, weight * rear_arc);
-            let front_shear = front_weight * mobilisation(&front) * strength; // Eq. (5)
-            let rear_shear = rear_weight * mobilisation(&rear) * strength;
+            let front_shear = front_weight * shearing.ahead(&front) * strength; // Eq. (5)
+            let rear_shear = rear_weight * shearing.behind(&rear) * strength;
             let both_shear = front_shear + rear_shear;
             let both_normal = (front_weight + rear_weight) * normal;
             sums.normal_cos += normal * (front_weight * front.cos + rear_weight * rear.cos);

@@ -11,11 +11,11 @@
 //! Stresses that are not coupled leave the forces along the wheel as they are without a slip angle, to the last bit.
 
 use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
-use super::quadrature::{self, Rim};
+use super::quadrature::{self, Rim, Shearing};
 use super::{ForceModel, Forces};
 use crate::lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SideWall};
 use crate::numerics::gauss_legendre::{NODES, Node};
-use crate::stress::ContactPatch;
+use crate::stress::{ContactPatch, RimPoint};
 
 pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>, side: &SideSlip) -> Forces {
     let rim = Rim::of(patch);
@@ -23,10 +23,33 @@ pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>, side: &SideSl
     let along = if side.coupling == ShearCoupling::Independent || side.angle.sign() == 0.0 {
         quadrature::forces(model, patch)
     } else {
-        quadrature::forces_of(model, &rim, &edges(&rim, side), |point| side.coupled_longitudinal_share(patch, point))
+        quadrature::forces_by::<_, FEW>(model, &rim, &Coupled { patch, side })
     };
     let (force, error) = side_force(&rim, side);
     Forces { integration_error: along.integration_error.max(error), side: Some(force), ..along }
+}
+
+/// Panels to begin with at the most: parted by a layer of shear, two turns of the slip velocity and two reversals.
+const FEW: usize = 6;
+
+/// The part along the wheel of a coupled stress.
+struct Coupled<'a> {
+    patch: &'a ContactPatch<'a>,
+    side: &'a SideSlip,
+}
+
+impl Shearing for Coupled<'_> {
+    fn ahead(&self, point: &RimPoint) -> f64 {
+        self.side.coupled_longitudinal_share(self.patch, point)
+    }
+
+    fn behind(&self, point: &RimPoint) -> f64 {
+        self.side.coupled_longitudinal_share(self.patch, point)
+    }
+
+    fn edges(&self, rim: &Rim<'_>) -> Edges {
+        edges(rim, self.side)
+    }
 }
 
 /// Ends of the panels: the end of a thin layer of shear, and for stresses that are coupled the places where the slip velocity
@@ -42,9 +65,7 @@ fn edges(rim: &Rim<'_>, side: &SideSlip) -> Edges {
                 rim.split(&mut edges, arc);
             }
         }
-        for &arc in rim.patch.shear_reversals().arcs() {
-            rim.split(&mut edges, arc);
-        }
+        rim.split_reversals(&mut edges);
     }
     edges.close()
 }
@@ -55,7 +76,7 @@ fn side_force(rim: &Rim<'_>, side: &SideSlip) -> (SideForce, f64) {
     let wheel = &system.wheel;
     let wall = SideWall::of(&system.soil);
     let sign = side.angle.sign();
-    let integrals = integrate(&edges(rim, side), |from, to| rim.side_panel(from, to, side, wall.as_ref()));
+    let integrals = integrate::<_, FEW>(&edges(rim, side), |from, to| rim.side_panel(from, to, side, wall.as_ref()));
     let (whole, part) = (&integrals.wall, &integrals.mobilised);
     let pushed = match side.bulldozing {
         Bulldozing::Full => whole,

@@ -34,7 +34,7 @@ pub(super) fn shares(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngl
     let along = patch.displacement(point) * soil.per_shear_scale();
     let across = ishigami::displacement(patch, point, angle) * soil.per_lateral_modulus();
     let share = soil.shear().mobilisation(along.hypot(across));
-    let (slip, drift) = (patch.slip_velocity(point).abs(), rolling.velocity_ratio * angle.steepness());
+    let (slip, drift) = (patch.slip_velocity(point).abs(), rolling.velocity_ratio().0 * angle.steepness());
     let speed = slip.hypot(drift);
     if speed > 0.0 {
         Shares { longitudinal: share.copysign(along) * slip / speed, lateral: share * drift / speed }

@@ -32,7 +32,7 @@ use crate::stress::{ContactPatch, RimPoint};
 #[inline]
 pub(super) fn displacement(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
-    rolling.system.wheel.radius() * rolling.velocity_ratio * point.arc() * angle.steepness()
+    rolling.system.wheel.radius() * rolling.velocity_ratio().0 * point.arc() * angle.steepness()
 }
 
 /// E_y (–) at a place of the rim, without sign; on a locked wheel, whose displacement has no end, what that leaves.
@@ -49,7 +49,7 @@ pub(super) fn lateral_share(patch: &ContactPatch<'_>, point: &RimPoint, angle: S
 /// Arc (rad) behind the entry over which E_y changes; infinite where it does not.
 pub(super) fn layer(patch: &ContactPatch<'_>, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
-    let growth = rolling.system.wheel.radius() * rolling.velocity_ratio * angle.steepness();
+    let growth = rolling.system.wheel.radius() * rolling.velocity_ratio().0 * angle.steepness();
     if rolling.slip.is_locked() || growth == 0.0 {
         f64::INFINITY
     } else {

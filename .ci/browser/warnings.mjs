@@ -1,0 +1,46 @@
+// What the service warns of stands at the part of the page that it is about.
+import assert from "node:assert/strict";
+import { LETTER, ask, overSlip } from "./support/api.mjs";
+import { check, run } from "./support/checks.mjs";
+import { curlBody, open, ready } from "./support/page.mjs";
+
+const codesIn = (page, list) => page.$$eval(`${list} [data-warning]`, (items) => items.map(({ dataset }) => dataset.warning));
+
+check("without anything to say no warning is to be seen", async (page) => {
+  await open(page);
+  for (const list of ["#warnings", "#profile-warnings", "#sweep-warnings"]) assert.ok(await page.isHidden(list), `${list} is empty`);
+});
+
+check("a warning about braking slips alone stands at the curves alone", async (page) => {
+  await open(page, "?by=static&braking=1");
+  const { warnings } = await ask("/v1/slip-sweep", overSlip(await curlBody(page), -1));
+  assert.deepEqual(await codesIn(page, "#sweep-warnings"), warnings.map(({ code }) => code));
+  assert.ok(warnings.length > 0, "there is something to say");
+  assert.deepEqual(await codesIn(page, "#warnings"), []);
+  await page.fill('input[name="slip"]', "-20");
+  await ready(page);
+  const { warnings: atSlip } = await ask("/v1/forces", await curlBody(page));
+  assert.ok(atSlip.length > 0, "there is something to say");
+  assert.deepEqual(await codesIn(page, "#warnings"), atSlip.map(({ code }) => code));
+  assert.deepEqual(await codesIn(page, "#profile-warnings"), atSlip.map(({ code }) => code));
+});
+
+check("slips without a solution are told as slips, with the methods", async (page) => {
+  const load = 850;
+  await open(page, `?by=load&load_n=${load}&compare=1&braking=1`);
+  const { sinkage_m, ...rest } = LETTER;
+  const { slip, series } = await ask("/v1/compare", overSlip({ ...rest, normal_load_n: load }, -1));
+  const without = series.filter(({ columns }) => columns.sinkage_m.includes(null));
+  assert.ok(without.length > 0, "there is something to say");
+  const told = await page.$$eval("#sweep-warnings li", (items) => items.map(({ innerText }) => innerText.replaceAll("\u00a0", " ")));
+  assert.equal(told.length, without.length);
+  for (const [index, { method, columns }] of without.entries()) {
+    assert.ok(told[index].toLowerCase().includes(`(${method})`), told[index]);
+    assert.ok(!told[index].includes("indices") && !told[index].includes("/normal_load_n"), told[index]);
+    const first = (100 * slip[columns.sinkage_m.indexOf(null)]).toFixed(0).replace("-", "\u2212");
+    assert.ok(told[index].startsWith(`no solution at slip ${first} %`), told[index]);
+    assert.ok(/a sinkage of [\d.]+ mm/.test(told[index]), told[index]);
+  }
+});
+
+await run();

@@ -1,0 +1,192 @@
+//! When does a result leave the range in which its model was tested?
+//!
+//! A caution changes no number: it names the quantity, its value, the range and who found the range. Each kind is listed in
+//! [`Caution::KINDS`], so that a service can tell its users beforehand what it watches.
+
+mod kinds;
+
+pub(crate) use kinds::*;
+
+use std::fmt;
+
+use crate::error::Digits;
+use crate::forces::Method;
+use crate::lateral::Bulldozing;
+use crate::operation::{OperatingPoint, Operation, Sinkage};
+use crate::pressure_sinkage::PressureSinkage;
+use crate::slip::Slip;
+use crate::stress::WheelOnSoil;
+
+/// A reason to take a result with care.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Caution {
+    /// What is watched.
+    pub kind: &'static CautionKind,
+    /// The value of the quantity, outside the kind's range; 0 where it has none.
+    pub value: f64,
+}
+
+/// Something that is watched.
+#[derive(Debug, PartialEq)]
+pub struct CautionKind {
+    /// A name for programs.
+    pub code: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+    /// The range that is left, where it is about one.
+    pub range: Option<TestedRange>,
+}
+
+/// The range of a quantity in which a model was tested.
+#[derive(Debug, PartialEq)]
+pub struct TestedRange {
+    /// The quantity, with its unit in parentheses.
+    pub quantity: &'static str,
+    /// Lower end.
+    pub lower: Option<f64>,
+    /// Upper end.
+    pub upper: Option<f64>,
+    /// Where the range comes from.
+    pub source: &'static str,
+}
+
+/// What a caution is judged by, besides the operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// The slip.
+    pub slip: Slip,
+    /// Sinkage z (m).
+    pub sinkage: f64,
+    /// Normal force F_z (N), where it is known.
+    pub normal: Option<f64>,
+    /// Estimate of the relative error of the integrals (–).
+    pub integration_error: f64,
+    /// Share of the pressure on the side wall that is mobilised (–), where a slip angle was asked for.
+    pub mobilised_share: Option<f64>,
+}
+
+impl From<&OperatingPoint> for Outcome {
+    fn from(point: &OperatingPoint) -> Self {
+        let OperatingPoint { slip, sinkage, forces, .. } = point;
+        Self {
+            slip: *slip,
+            sinkage: *sinkage,
+            normal: Some(forces.normal),
+            integration_error: forces.integration_error,
+            mobilised_share: forces.side.map(|side| side.mobilised_share),
+        }
+    }
+}
+
+impl Caution {
+    /// Everything that is watched.
+    pub const KINDS: [&'static CautionKind; 16] = [
+        &SMALL_WHEEL,
+        &DEEP_SINKAGE,
+        &SLIP_BEYOND_FIT,
+        &SLIP_GAIN_EXTRAPOLATED,
+        &SLIP_SINKAGE_EXTRAPOLATED,
+        &NEGATIVE_COHESIVE_MODULUS,
+        &LOW_GRAVITY,
+        &LUG_HEIGHT_ASSUMED,
+        &PEAK_RULE_SET_ASIDE,
+        &INTEGRATION_ERROR,
+        &LOAD_RESIDUAL,
+        &NEGATIVE_NORMAL_STRESS,
+        &SINKAGE_BEYOND_ESTIMATES,
+        &SLIP_GAIN_UNUSED,
+        &BULLDOZING_LEFT_OUT,
+        &BULLDOZING_NOT_MOBILISED,
+    ];
+
+    /// How far the value is outside the range, in the unit of the quantity.
+    #[must_use]
+    pub fn excess(&self) -> f64 {
+        let Some(TestedRange { lower, upper, .. }) = self.kind.range else { return 0.0 };
+        let below = lower.map_or(0.0, |lower| lower - self.value);
+        let above = upper.map_or(0.0, |upper| self.value - upper);
+        below.max(above)
+    }
+}
+
+impl CautionKind {
+    /// The caution, if the value is outside the range.
+    pub(crate) fn of(&'static self, value: f64) -> Option<Caution> {
+        let caution = Caution { kind: self, value };
+        (caution.excess() > 0.0).then_some(caution)
+    }
+
+    /// The caution, if what it is about is so.
+    pub(crate) fn when(&'static self, is_so: bool) -> Option<Caution> {
+        is_so.then_some(Caution { kind: self, value: 0.0 })
+    }
+}
+
+impl fmt::Display for Caution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let CautionKind { meaning, ref range, .. } = *self.kind;
+        if let Some(TestedRange { quantity, lower, upper, source }) = range {
+            write!(f, "{quantity} is {}", Digits(self.value))?;
+            match (lower, upper) {
+                (Some(lower), _) if self.value < *lower => write!(f, ", below {}", Digits(*lower))?,
+                (_, Some(upper)) => write!(f, ", above {}", Digits(*upper))?,
+                _ => {}
+            }
+            write!(f, " ({source}): ")?;
+        }
+        f.write_str(meaning)
+    }
+}
+
+/// The cautions that apply to whatever is found of a wheel on a soil.
+pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> {
+    let low = system.soil.gravity().and_then(|gravity| LOW_GRAVITY.of(gravity));
+    [low, LUG_HEIGHT_ASSUMED.when(system.wheel.lug_height_is_assumed())].into_iter().flatten()
+}
+
+/// The cautions that apply where the pressure–sinkage law is used.
+pub(crate) fn pressure_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> {
+    let WheelOnSoil { wheel, soil, .. } = system;
+    let [small, narrow] = match soil.pressure_sinkage() {
+        PressureSinkage::Bekker(law) => {
+            let width_ratio = (law.k_c < 0.0).then(|| -wheel.width() * law.k_phi / law.k_c);
+            [SMALL_WHEEL.of(2.0 * wheel.radius()), width_ratio.and_then(|ratio| NEGATIVE_COHESIVE_MODULUS.of(ratio))]
+        }
+        _ => [None, None],
+    };
+    [small, narrow].into_iter().flatten()
+}
+
+/// The cautions that apply to the force across a wheel.
+fn side_cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> + use<> {
+    let Method::SideSlipping(side) = operation.model.method else { return [None, None].into_iter().flatten() };
+    let left_out = side.angle.angle() != 0.0 && operation.system.soil.unit_weight().is_none();
+    let counted = if side.bulldozing == Bulldozing::Full { outcome.mobilised_share } else { None };
+    let not_mobilised = counted.and_then(|share| BULLDOZING_NOT_MOBILISED.of(share));
+    [BULLDOZING_LEFT_OUT.when(left_out), not_mobilised].into_iter().flatten()
+}
+
+/// The cautions that apply to the outcome of `operation`.
+pub fn cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> {
+    let Operation { system, sinkage, .. } = operation;
+    let slip = outcome.slip.ratio();
+    let exponent = system.soil.pressure_sinkage().exponent();
+    let from_static = matches!(sinkage, Sinkage::FromStatic { .. });
+    let gains = exponent.slip_gain != 0.0;
+    let only_when = |watched: bool, kind: &'static CautionKind| if watched { kind.of(slip) } else { None };
+    let residual = match (sinkage, outcome.normal) {
+        (Sinkage::CarryingLoad(load), Some(normal)) => (normal - load).abs() / load,
+        _ => 0.0,
+    };
+    let of_outcome = [
+        DEEP_SINKAGE.of(outcome.sinkage / system.wheel.radius()),
+        only_when(gains || from_static, &SLIP_BEYOND_FIT),
+        only_when(gains && exponent.skid_gain.is_none(), &SLIP_GAIN_EXTRAPOLATED),
+        only_when(from_static, &SLIP_SINKAGE_EXTRAPOLATED),
+        PEAK_RULE_SET_ASIDE.when(!outcome.slip.is_driving() && system.contact.sets_rule_aside()),
+        INTEGRATION_ERROR.of(outcome.integration_error),
+        LOAD_RESIDUAL.of(residual),
+    ];
+    let across = side_cautions(operation, outcome);
+    pressure_cautions(system).chain(system_cautions(system)).chain(of_outcome.into_iter().flatten()).chain(across)
+}

@@ -1,0 +1,145 @@
+//! What follows from forces that are measured? Torque from the load, and the longitudinal force from load and torque (Ding et
+//! al. 2009, 2015), the coupled forms from which the letter sets its own apart (below its Eq. 18).
+//!
+//! Of linear stresses (letter, Eq. 11) the normal force F_z = A X + B Y, the torque T = r_s H Y and the shear stress at the
+//! peak, Y = r_s E (b c + X tan φ/r_n), are three equations. A load W = F_z that is known takes the place of the
+//! pressure–sinkage law, which cancels:
+//!
+//! | what | here |
+//! |---|---|
+//! | T = r_s² H E [b c + W tan φ/(r_n A)] / [1 + r_s B E tan φ/(r_n A)] | [`Coupled::forces`] without a torque |
+//! | F_x = (A/H + B²/(A H)) T/r_s − (B/A) W | [`Coupled::forces`] |
+//!
+//! Validity: that of the linear stresses. A wheel that brakes so hard that the shear stress takes away what the normal stress
+//! supports carries no load by them: the denominator vanishes, which is refused. A load below what the shear stress supports
+//! alone leaves a negative normal stress, of which [`CoupledForces::caution`] tells.
+//!
+//! Departures: the papers were not read; the formulas were seen in public simulation code, with r for r_n and without the
+//! coefficients that were fitted to one test wheel (a torque and a pull that vary with the load), which are left out. The forms
+//! above were derived anew from Eq. (11) for lugs and for both radii of the normal stress, and the tests hold them to the
+//! linearised method.
+
+use crate::caution::{Caution, NEGATIVE_NORMAL_STRESS};
+use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::forces::{NormalStressRadius, ShapeIntegrals};
+use crate::slip::Heading;
+use crate::stress::{ContactPatch, Rolling};
+
+/// Share of the support by the normal stress that has to be left by the shear stress of a braking wheel: with less, seven
+/// digits of the torque would be lost in the difference.
+const LEAST_SUPPORT: f64 = 1e-7;
+
+/// What is known of the forces on a wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coupled {
+    /// Normal load W (N), greater than 0.
+    pub normal_load: f64,
+    /// Torque T (N·m), where it was measured; positive when it turns the wheel in its direction of motion.
+    pub torque: Option<f64>,
+    /// The radius at which the normal stress acts.
+    pub normal_stress_radius: NormalStressRadius,
+}
+
+/// Forces that follow from those that are known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoupledForces {
+    /// Longitudinal force F_x, the drawbar pull (N).
+    pub longitudinal: f64,
+    /// Torque T (N·m): the one measured, else what follows from the load.
+    pub torque: f64,
+    /// Normal stress σm at the peak (Pa) that load and torque leave.
+    pub peak_normal_stress: f64,
+}
+
+impl Coupled {
+    /// Torque and longitudinal force of a wheel that moves forward in the contact `patch`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a load not greater than 0 or a torque that is not finite; [`Error::LoadNotCoupled`] where no
+    /// normal stress carries the load; [`Error::NotFinite`] where a result overflows.
+    ///
+    /// ```
+    /// use terramechanics::*;
+    /// // A contact of θ1 = 0.5 rad at 10 % slip under 25.1728984 N: an independent evaluation of the triangular stresses
+    /// // with σm = 5000 Pa gave T = 0.8743675 N·m and F_x = −1.9390407 N.
+    /// let exponent = SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None };
+    /// let system = WheelOnSoil {
+    ///     wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?,
+    ///     soil: Soil::new(SoilParams {
+    ///         cohesion: 0.0,
+    ///         friction_angle: 0.478,
+    ///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 }),
+    ///         pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e6, exponent }), // any: it cancels
+    ///         unit_weight: None,
+    ///         lateral_shear_modulus: None,
+    ///     })?,
+    ///     contact: Contact::MIDPOINT,
+    /// };
+    /// let rolling = system.rolling(Slip::new(0.1)?)?;
+    /// let patch = rolling.contact(0.2 * (1.0 - 0.5_f64.cos()))?;
+    /// let known = Coupled { normal_load: 25.1728984, torque: None, normal_stress_radius: NormalStressRadius::Rim };
+    /// let forces = known.forces(&patch)?;
+    /// assert!((forces.torque - 0.8743675).abs() < 1e-6);
+    /// assert!((forces.longitudinal + 1.9390407).abs() < 1e-6);
+    /// assert!((forces.peak_normal_stress - 5000.0).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<CoupledForces, Error> {
+        check(Parameter::NormalLoad, self.normal_load, Requirement::Positive)?;
+        if let Some(torque) = self.torque {
+            check(Parameter::Torque, torque, Requirement::Finite)?;
+        }
+        let wheel = &patch.rolling.system.wheel;
+        let (shearing_radius, normal_radius) = (wheel.shearing_radius(), self.normal_stress_radius.of(wheel));
+        let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&patch.angles);
+        let torque = match self.torque {
+            Some(torque) => torque,
+            None => self.torque_from_load(patch, normal_radius)?,
+        };
+        let y = torque / (shearing_radius * h); // Eq. (11c), with r_s (erratum 6)
+        let x = (self.normal_load - b * y) / a; // Eq. (11b)
+        let forces = CoupledForces {
+            longitudinal: (a + b * b / a) * y - b / a * self.normal_load, // A Y − B X, Eq. (11a)
+            torque,
+            peak_normal_stress: x / (normal_radius * wheel.width()),
+        };
+        let results = [forces.longitudinal, forces.torque, forces.peak_normal_stress];
+        if results.iter().all(|value| value.is_finite()) { Ok(forces) } else { Err(Error::NotFinite) }
+    }
+
+    fn torque_from_load(&self, patch: &ContactPatch<'_>, normal_radius: f64) -> Result<f64, Error> {
+        let Rolling { system, .. } = patch.rolling;
+        let shearing_radius = system.wheel.shearing_radius();
+        let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&patch.angles);
+        let mobilisation = patch.mobilisation(&patch.rim_point(patch.angles.entry - patch.angles.peak));
+        let friction = system.soil.tan_friction() / (normal_radius * a);
+        let support = 1.0 + shearing_radius * mobilisation * b * friction;
+        if support.is_nan() || support < LEAST_SUPPORT {
+            return Err(Error::LoadNotCoupled { support });
+        }
+        let strength = system.wheel.width() * system.soil.cohesion() + self.normal_load * friction;
+        Ok(shearing_radius * shearing_radius * h * mobilisation * strength / support)
+    }
+}
+
+fn check(parameter: Parameter, value: f64, requirement: Requirement) -> Result<(), Error> {
+    if requirement.holds(value) { Ok(()) } else { Err(Error::Invalid(Fault { parameter, value, requirement })) }
+}
+
+impl CoupledForces {
+    /// The forces of the wheel moving in `heading`: moving backward, those along x and the torque change sign.
+    #[must_use]
+    pub fn heading(self, heading: Heading) -> Self {
+        match heading {
+            Heading::Forward => self,
+            Heading::Backward => Self { longitudinal: -self.longitudinal, torque: -self.torque, ..self },
+        }
+    }
+
+    /// That load and torque together leave a negative normal stress, if they do: they do not belong together by linear
+    /// stresses.
+    #[must_use]
+    pub fn caution(&self) -> Option<Caution> {
+        NEGATIVE_NORMAL_STRESS.of(self.peak_normal_stress)
+    }
+}

@@ -1,0 +1,146 @@
+//! How much does a free-rolling wheel skid, and what does it take to tow it? (Wong & Reece 1967, part II)
+//!
+//! Nothing turns the wheel but the soil: T = 0. At the skid s and the sinkage z that meet F_z = W and T = 0, the towing
+//! resistance is −F_x. The paper has this with the two zones of [`crate::Braking::TwoZone`], whose shear then balances; the
+//! same two conditions on one zone are the letter's model of a towed wheel. Which law holds is the contact's to say.
+//!
+//! A rolling wheel (s = 0) takes a torque, T > 0; with skid the torque falls. Where it passes 0 the wheel keeps its skid: with
+//! less skid the missing torque slows it, with more the soil speeds it up. The skid is sought on a ladder from far less than
+//! the contact's geometry calls for, then by Brent's method, each trial solving the load balance. So the least skid without
+//! torque is found, unless two lie between neighbouring rungs. Where a trial has no contact or carries no such load, the skids
+//! between it and its neighbour are tried by halving.
+
+use crate::contact::Angles;
+use crate::error::Error;
+use crate::forces::{ForceModel, Forces, Method};
+use crate::numerics::brent::{Sample, bracketed_root};
+use crate::slip::Slip;
+use crate::stress::WheelOnSoil;
+
+/// Relative tolerance of the skid: what the load balance within leaves of the torque.
+const TOLERANCE: f64 = 1e-12;
+
+/// Torque, relative to the larger of those at the ends of the bracket, beyond which it counts as not zero: E may jump there.
+const LARGEST_RESIDUAL: f64 = 1e-6;
+
+/// Least skid of the ladder over θ1²: a hundredth of the θ1²/6 or so at which E first changes sign.
+const FIRST: f64 = 1e-3;
+
+/// Factor from one rung of the ladder to the next.
+const RUNG: f64 = 4.0;
+
+/// Skid with which the ladder begins at the least: 50 rungs below 1.
+const LEAST: f64 = 1e-30;
+
+/// Halvings with which the end of the solvable skids is approached.
+const HALVINGS: u32 = 40;
+
+/// What holds of a wheel that is towed and rolls freely.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Towed {
+    /// The slip, below 0.
+    pub slip: Slip,
+    /// Sinkage z (m).
+    pub sinkage: f64,
+    /// Characteristic angles.
+    pub angles: Angles,
+    /// The forces; the normal one carries the load, the torque is 0 as far as the skid can be told.
+    pub forces: Forces,
+    /// Load balances that were solved.
+    pub balances: u32,
+}
+
+impl Towed {
+    /// Towing resistance −F_x (N).
+    #[must_use]
+    pub fn resistance(&self) -> f64 {
+        -self.forces.longitudinal
+    }
+}
+
+impl WheelOnSoil {
+    /// The wheel rolling freely under `load` (N), by the quadrature with the normal stress at the rim.
+    ///
+    /// # Errors
+    /// What [`ForceModel::solve_sinkage`] refuses at every skid; [`Error::NotFreeRolling`] where the torque does not pass 0 at
+    /// any skid at which it can be found, as on a soil without shear strength.
+    pub fn solve_towed(&self, load: f64) -> Result<Towed, Error> {
+        let mut search = Search { system: self, load, balances: 0 };
+        let (less, more) = search.bracket()?;
+        let sample = |towed: &Towed| Sample { x: -towed.slip.ratio(), y: towed.forces.torque };
+        let found = bracketed_root(|skid| Ok(search.at(skid)?.forces.torque), sample(&less), sample(&more), TOLERANCE)?;
+        let towed = search.at(found.best.x)?;
+        let scale = less.forces.torque.max(-more.forces.torque);
+        if found.converged && towed.forces.torque.abs() <= LARGEST_RESIDUAL * scale {
+            Ok(Towed { balances: search.balances, ..towed })
+        } else {
+            Err(search.not_free(&towed))
+        }
+    }
+}
+
+struct Search<'a> {
+    system: &'a WheelOnSoil,
+    load: f64,
+    balances: u32,
+}
+
+impl Search<'_> {
+    /// The loaded wheel at a skid, whatever its torque.
+    fn at(&mut self, skid: f64) -> Result<Towed, Error> {
+        self.balances += 1;
+        let rolling = self.system.rolling(Slip::new(-skid)?)?;
+        let carried = ForceModel::at_rim(Method::Quadrature).solve_sinkage(&rolling, self.load)?;
+        let angles = rolling.contact(carried.sinkage)?.angles;
+        Ok(Towed { slip: rolling.slip, sinkage: carried.sinkage, angles, forces: carried.forces, balances: self.balances })
+    }
+
+    fn not_free(&self, nearest: &Towed) -> Error {
+        Error::NotFreeRolling { load: self.load, slip: nearest.slip.ratio(), torque: nearest.forces.torque }
+    }
+
+    /// Two skids, the first with a torque above 0 and the second with one that is not.
+    fn bracket(&mut self) -> Result<(Towed, Towed), Error> {
+        let rolling = self.at(0.0);
+        if let Err(error @ Error::Invalid(_)) = rolling {
+            return Err(error);
+        }
+        let mut skid = (FIRST * rolling.map_or(1.0, |rolling| rolling.angles.entry.powi(2))).max(LEAST);
+        let mut less = None;
+        let mut refusal = None;
+        loop {
+            match (self.at(skid), less) {
+                (Ok(here), _) if here.forces.torque > 0.0 => less = Some(here),
+                (Ok(here), Some(less)) if here.forces.torque < 0.0 => return Ok((less, here)),
+                (Ok(here), None) if here.forces.torque < 0.0 && refusal.is_some() => {
+                    return self.bracket_beside(here, skid / RUNG);
+                }
+                (Ok(here), _) => return Err(self.not_free(&here)),
+                (Err(_), Some(less)) => return self.bracket_beside(less, skid),
+                (Err(error), None) => refusal = refusal.or(Some(error)),
+            }
+            if skid >= 1.0 {
+                break;
+            }
+            skid = (skid * RUNG).min(1.0);
+        }
+        match (less, refusal) {
+            (Some(less), _) => Err(self.not_free(&less)),
+            (None, refusal) => Err(refusal.unwrap_or(Error::NotFinite)),
+        }
+    }
+
+    /// A bracket between a skid with a torque of one sign and one at which there is no answer.
+    fn bracket_beside(&mut self, mut known: Towed, mut none: f64) -> Result<(Towed, Towed), Error> {
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (none - known.slip.ratio());
+            match self.at(middle) {
+                Ok(here) if here.forces.torque > 0.0 && known.forces.torque < 0.0 => return Ok((here, known)),
+                Ok(here) if here.forces.torque < 0.0 && known.forces.torque > 0.0 => return Ok((known, here)),
+                Ok(here) => known = here,
+                Err(_) => none = middle,
+            }
+        }
+        Err(self.not_free(&known))
+    }
+}

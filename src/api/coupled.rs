@@ -1,0 +1,36 @@
+//! `POST /v1/coupled`.
+
+use axum::extract::State;
+use axum::response::Response;
+use terramechanics::Sinkage;
+
+use super::responses::{InvalidBody, Limits};
+use crate::app::Service;
+use crate::compute::{Cost, written};
+use crate::extract::{Format, Input};
+use crate::problem::Problem;
+use crate::reply::CoupledReply;
+use crate::request::CoupledDto;
+
+/// Torque and pull from a load that is measured
+///
+/// Ding's coupled forms of the linear stresses: torque from the load, and longitudinal force from load and torque, without the
+/// pressure–sinkage law. With `Accept: text/csv` the numbers come as a table of one row.
+#[utoipa::path(
+    post,
+    path = "/v1/coupled",
+    tag = "forces",
+    request_body = CoupledDto,
+    responses((status = 200, description = "Torque and pull from a load that is measured", content((CoupledReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
+)]
+pub(crate) async fn coupled(
+    State(service): State<Service>,
+    format: Format,
+    Input(query): Input<CoupledDto>,
+) -> Result<Response, Problem> {
+    let work = move || {
+        let reply = CoupledReply::try_from(&query).map_err(|error| Problem::refused(&error, &Sinkage::Given(query.sinkage)))?;
+        written(&reply, format)
+    };
+    service.pool().run(Cost::of_closed_forms(), work).await
+}

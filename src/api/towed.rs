@@ -1,0 +1,36 @@
+//! `POST /v1/towed`.
+
+use axum::extract::State;
+use axum::response::Response;
+
+use super::responses::{InvalidBody, Limits};
+use crate::app::Service;
+use crate::compute::{Cost, written};
+use crate::extract::{Format, Input};
+use crate::problem::Problem;
+use crate::reply::TowedReply;
+use crate::request::TowedDto;
+
+/// Skid, sinkage and resistance of a towed wheel
+///
+/// The wheel rolls freely: the soil alone turns it (T = 0) while it carries the load. With `Accept: text/csv` the numbers come as
+/// a table of one row.
+#[utoipa::path(
+    post,
+    path = "/v1/towed",
+    tag = "forces",
+    request_body = TowedDto,
+    responses((status = 200, description = "Skid, sinkage and resistance of a towed wheel", content((TowedReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
+)]
+pub(crate) async fn towed(
+    State(service): State<Service>,
+    format: Format,
+    Input(query): Input<TowedDto>,
+) -> Result<Response, Problem> {
+    let cost = Cost::of_towed(&query.operation);
+    let work = move || {
+        let reply = TowedReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;
+        written(&reply, format)
+    };
+    service.pool().run(cost, work).await
+}

@@ -1,0 +1,70 @@
+//! `GET /v1/validation` and its single sets.
+
+use std::sync::OnceLock;
+
+use axum::body::Bytes;
+use axum::extract::{Path, State};
+use axum::response::Response;
+use serde::Serialize;
+use utoipa::ToSchema;
+
+use super::catalogue::unknown;
+use super::responses::{Limits, UnknownName};
+use crate::app::Service;
+use crate::compute::{Cost, json_text, written};
+use crate::extract::Format;
+use crate::problem::Problem;
+use crate::reply::ValidationSet;
+use crate::validation;
+
+/// Published measurements, with what the methods give for them.
+#[derive(Serialize, ToSchema)]
+#[schema(as = Validation)]
+struct ValidationReply {
+    sets: &'static [ValidationSet],
+}
+
+/// The sets do not change, so they are computed once, by the first who asks.
+static SETS: OnceLock<Vec<ValidationSet>> = OnceLock::new();
+
+fn sets() -> &'static [ValidationSet] {
+    SETS.get_or_init(|| validation::records().iter().map(ValidationSet::from).collect())
+}
+
+fn cost() -> Cost {
+    if SETS.get().is_some() { Cost::NONE } else { Cost::of_validation(validation::point_count()) }
+}
+
+/// Published measurements, with what the methods give for them
+///
+/// Each set has its source, the wheel and soil that stand for the measured ones, and the errors of every method under the
+/// measured load. Where parameters were fitted to the very measurements, `fitted` is true: those errors are no predictions.
+/// The same comes as a table for one set.
+#[utoipa::path(get, path = "/v1/validation", tag = "catalogue", responses((status = 200, description = "The sets", body = ValidationReply), Limits))]
+pub(crate) async fn validation(State(service): State<Service>) -> Result<Response, Problem> {
+    static TEXT: OnceLock<Bytes> = OnceLock::new();
+    let text = || TEXT.get_or_init(|| serde_json::to_vec(&ValidationReply { sets: sets() }).unwrap_or_default().into());
+    service.pool().run(cost(), move || Ok(json_text(text().clone()))).await
+}
+
+/// One set of published measurements
+///
+/// With `Accept: text/csv` the columns come as a table, named `measured.column` and `predicted.method.column`.
+#[utoipa::path(
+    get,
+    path = "/v1/validation/{id}",
+    tag = "catalogue",
+    params(("id" = String, Path, description = "Name of the set", example = "ding-2011-smooth")),
+    responses((status = 200, description = "The set", content((ValidationSet = "application/json"), (String = "text/csv"))), UnknownName, Limits)
+)]
+pub(crate) async fn validation_set(
+    State(service): State<Service>,
+    format: Format,
+    Path(id): Path<String>,
+) -> Result<Response, Problem> {
+    let work = move || {
+        let set = sets().iter().find(|set| set.id == id).ok_or_else(|| unknown("validation set", &id, &validation::ids()))?;
+        written(set, format)
+    };
+    service.pool().run(cost(), work).await
+}

@@ -1,0 +1,185 @@
+//! Records of the catalogue as they are shown.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use utoipa::ToSchema;
+
+use super::record::{Grade, SOIL_FIELDS, SoilRecord, Value, Values, WHEEL_FIELDS, WheelRecord};
+use crate::request::{LAWS, RULES, SHEAR_LAWS};
+use crate::wire::Variant;
+
+/// One value as it is shown, complete with its source.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = CatalogueValue)]
+pub(crate) struct ValueView<'a> {
+    /// In SI units.
+    value: f64,
+    /// As published, with its unit.
+    published: &'a str,
+    /// Where it was published.
+    source: &'a str,
+    grade: Grade,
+    /// What a user should know of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'a str>,
+}
+
+/// A wheel as it is shown.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = CatalogueWheel)]
+pub(crate) struct WheelView<'a> {
+    /// Its name as a `preset`.
+    #[schema(example = "letter")]
+    id: &'a str,
+    name: &'a str,
+    /// Paper, flight, test, terrestrial.
+    kind: &'a str,
+    /// Where its values were published, unless a value says otherwise.
+    source: &'a str,
+    grade: Grade,
+    /// What a user should know of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'a str>,
+    /// The wheel as a request would spell it out.
+    wheel: BTreeMap<&'a str, f64>,
+    /// Load that the wheel carries in service or carried in its tests (N); no part of a request's wheel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nominal_load_n: Option<f64>,
+    /// Every value with its source; also some that are no part of a request, such as `lug_count`.
+    values: BTreeMap<&'a str, ValueView<'a>>,
+    /// Required fields without a published value: a request has to add them.
+    missing: Vec<&'static str>,
+    /// Fields that are not published and are assumed unless a request adds them: with `lug_height_m` the wheel has or may have lugs of unknown height and is computed as smooth, with a warning.
+    assumed: Vec<&'a str>,
+}
+
+/// A soil as it is shown.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = CatalogueSoil)]
+pub(crate) struct SoilView<'a> {
+    /// Its name as a `preset`.
+    #[schema(example = "letter-sand")]
+    id: &'a str,
+    name: &'a str,
+    /// Paper, lunar, martian, lunar simulant, martian simulant, test-bed sand, terrestrial, snow, synthetic.
+    kind: &'a str,
+    /// Where its values were published, unless a value says otherwise.
+    source: &'a str,
+    grade: Grade,
+    /// What a user should know of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'a str>,
+    /// The soil as a request would spell it out, without what is missing.
+    soil: SoilBody<'a>,
+    /// The contact that was measured with it, which holds unless a request has its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact: Option<TaggedBody<'a>>,
+    /// Every value with its source.
+    values: BTreeMap<&'a str, ValueView<'a>>,
+    /// Required fields without a published value: a request has to add them.
+    missing: Vec<&'static str>,
+}
+
+/// Fields of a soil.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = CatalogueSoilFields)]
+struct SoilBody<'a> {
+    #[serde(flatten)]
+    own: BTreeMap<&'a str, f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pressure_sinkage: Option<TaggedBody<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shear: Option<TaggedBody<'a>>,
+}
+
+/// A law or a rule with its parameters.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = CatalogueLaw)]
+struct TaggedBody<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    law: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rule: Option<&'a str>,
+    #[serde(flatten)]
+    parameters: BTreeMap<&'a str, f64>,
+}
+
+/// The values of the given names that are there.
+fn numbers<'a>(values: &'a Values, names: &[&str]) -> BTreeMap<&'a str, f64> {
+    values.iter().filter(|(name, _)| names.contains(&name.as_str())).map(|(name, value)| (name.as_str(), value.value)).collect()
+}
+
+fn views<'a>(values: &'a Values, source: &'a str, grade: Grade) -> BTreeMap<&'a str, ValueView<'a>> {
+    let view = |value: &'a Value| ValueView {
+        value: value.value,
+        published: &value.published,
+        source: value.source.as_deref().unwrap_or(source),
+        grade: value.grade.unwrap_or(grade),
+        note: value.note.as_deref(),
+    };
+    values.iter().map(|(name, value)| (name.as_str(), view(value))).collect()
+}
+
+impl WheelRecord {
+    /// The record as it is shown.
+    pub(crate) fn view(&self) -> WheelView<'_> {
+        WheelView {
+            id: &self.id,
+            name: &self.name,
+            kind: &self.kind,
+            source: &self.source,
+            grade: self.grade,
+            note: self.note.as_deref(),
+            wheel: numbers(&self.values, &WHEEL_FIELDS),
+            nominal_load_n: self.values.get("nominal_load_n").map(|value| value.value),
+            values: views(&self.values, &self.source, self.grade),
+            missing: self.missing(),
+            assumed: self.assumed.iter().map(String::as_str).collect(),
+        }
+    }
+}
+
+impl SoilRecord {
+    /// The record as it is shown.
+    pub(crate) fn view(&self) -> SoilView<'_> {
+        let parameters = |variants: &'static [Variant], name: &str| -> Vec<&'static str> {
+            Variant::named(variants, name).map(|variant| variant.fields().collect()).unwrap_or_default()
+        };
+        let mut values = views(&self.values, &self.source, self.grade);
+        if let Some(contact) = &self.contact {
+            values.extend(views(&contact.values, &self.source, self.grade));
+        }
+        if let Some(shear) = &self.shear {
+            values.extend(views(&shear.values, &self.source, self.grade));
+        }
+        SoilView {
+            id: &self.id,
+            name: &self.name,
+            kind: &self.kind,
+            source: &self.source,
+            grade: self.grade,
+            note: self.note.as_deref(),
+            soil: SoilBody {
+                own: numbers(&self.values, &SOIL_FIELDS),
+                pressure_sinkage: self.law.as_ref().map(|law| TaggedBody {
+                    law: Some(law),
+                    rule: None,
+                    parameters: numbers(&self.values, &parameters(LAWS, law)),
+                }),
+                shear: self.shear.as_ref().map(|shear| TaggedBody {
+                    law: Some(&shear.law),
+                    rule: None,
+                    parameters: numbers(&shear.values, &parameters(SHEAR_LAWS, &shear.law)),
+                }),
+            },
+            contact: self.contact.as_ref().map(|contact| TaggedBody {
+                law: None,
+                rule: Some(&contact.rule),
+                parameters: numbers(&contact.values, &parameters(RULES, &contact.rule)),
+            }),
+            values,
+            missing: self.missing(),
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! What have others measured, and what does the model give for it? Published single-wheel tests, compiled in from
+//! `validation/*.json`, and the predictions for them.
+//!
+//! A set is a series of measurements together with the soil that stands for theirs. Where parameters of that soil were fitted
+//! to the very measurements, the set says so, and nothing is averaged over sets of both kinds. Adding a set is adding a
+//! record to that folder and to [`RECORDS`].
+
+mod prediction;
+mod record;
+
+pub(crate) use prediction::{METHODS, Prediction, root_mean_square};
+pub(crate) use record::{MeasurementGrade, Record};
+
+use std::sync::LazyLock;
+
+/// The records, in the order in which they are shown.
+const RECORDS: [&str; 17] = [
+    include_str!("../../validation/ding-2011-smooth.json"),
+    include_str!("../../validation/ding-2011-smooth-fitted.json"),
+    include_str!("../../validation/ding-2011-lug10.json"),
+    include_str!("../../validation/ding-2011-lug10-fitted.json"),
+    include_str!("../../validation/wang-han-2016-smooth.json"),
+    include_str!("../../validation/wang-han-2016-smooth-fitted.json"),
+    include_str!("../../validation/wang-han-2016-lug10.json"),
+    include_str!("../../validation/wang-han-2016-lug10-fitted.json"),
+    include_str!("../../validation/hurrell-2025-rashid.json"),
+    include_str!("../../validation/yoshida-2003-24n.json"),
+    include_str!("../../validation/yoshida-2003-34n.json"),
+    include_str!("../../validation/yoshida-2003-54n.json"),
+    include_str!("../../validation/cmu-grousered-driving.json"),
+    include_str!("../../validation/cmu-grousered-braking.json"),
+    include_str!("../../validation/cmu-smooth-driving.json"),
+    include_str!("../../validation/cmu-smooth-braking.json"),
+    include_str!("../../validation/apollo-lrv.json"),
+];
+
+static SETS: LazyLock<Vec<Record>> = LazyLock::new(|| {
+    RECORDS
+        .iter()
+        .map(|text| serde_json::from_str(text).expect("the records are compiled in and their tests read them"))
+        .collect()
+});
+
+/// All sets.
+pub(crate) fn records() -> &'static [Record] {
+    &SETS
+}
+
+/// The set of that name.
+pub(crate) fn record(id: &str) -> Option<&'static Record> {
+    records().iter().find(|record| record.id == id)
+}
+
+/// The names of all sets.
+pub(crate) fn ids() -> Vec<&'static str> {
+    records().iter().map(|record| record.id.as_str()).collect()
+}
+
+/// Points of all sets together.
+pub(crate) fn point_count() -> usize {
+    records().iter().map(|record| record.points().slip.len()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_file_is_a_set_named_like_it() {
+        let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/validation")).expect("the folder");
+        let named: BTreeSet<String> =
+            files.map(|file| file.expect("a file").path().file_stem().expect("a name").to_string_lossy().into_owned()).collect();
+        assert_eq!(ids().into_iter().map(str::to_owned).collect::<BTreeSet<_>>(), named);
+        assert_eq!(ids().len(), named.len());
+    }
+
+    #[test]
+    fn columns_are_as_long_as_the_slip_which_ascends() {
+        for record in records() {
+            let points = record.points();
+            assert!(points.slip.is_sorted() && !points.slip.is_empty(), "{}", record.id);
+            for column in [points.load(), points.longitudinal_force(), points.sinkage(), points.torque()] {
+                assert_eq!(column.len(), points.slip.len(), "{}", record.id);
+            }
+            assert!(points.load().iter().all(|load| *load > 0.0));
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! `POST /v1/coupled`.
+
+use serde_json::{Value, json};
+
+use crate::asking::{letter, post, post_for_csv, table, with};
+
+/// Some tens of roundings.
+const ROUNDING: f64 = 1e-12;
+
+fn number(value: &Value, name: &str) -> f64 {
+    value[name].as_f64().unwrap_or_else(|| panic!("{name} in {value}"))
+}
+
+fn measured(changes: Value) -> Value {
+    with(&with(&letter(), json!({"normal_load_n": 80})), changes)
+}
+
+/// The load and the torque of the linearised method lead back to its torque and its pull, with lugs and for both radii.
+#[test]
+fn the_coupled_forms_are_the_linearised_method_seen_from_its_load() {
+    for radius in ["rim", "shearing"] {
+        for slip in [-0.4, 0.0, 0.2, 1.0] {
+            let body = with(
+                &letter(),
+                json!({"slip": slip, "wheel": {"lug_height_m": 0.01}, "soil": {"cohesion_pa": 500}, "normal_stress_radius": radius}),
+            );
+            let linear = post("/v1/forces", &with(&body, json!({"method": "linearised"}))).ok();
+            let (pull, torque) = (number(&linear, "longitudinal_force_n"), number(&linear, "torque_n_m"));
+            let scale = number(&linear["components"], "traction_n").abs() + number(&linear["components"], "resistance_n").abs();
+            let from_load = post("/v1/coupled", &with(&body, json!({"normal_load_n": linear["normal_force_n"]}))).ok();
+            assert!((number(&from_load, "torque_n_m") / torque - 1.0).abs() < ROUNDING, "{radius} {slip}");
+            assert!((number(&from_load, "longitudinal_force_n") - pull).abs() < ROUNDING * scale, "{radius} {slip}");
+            assert_eq!(from_load["angles"], linear["angles"]);
+            let known = json!({"normal_load_n": linear["normal_force_n"], "torque_n_m": torque});
+            let from_both = post("/v1/coupled", &with(&body, known)).ok();
+            assert_eq!(number(&from_both, "torque_n_m"), torque);
+            assert!((number(&from_both, "longitudinal_force_n") - pull).abs() < ROUNDING * scale, "{radius} {slip}");
+        }
+    }
+}
+
+#[test]
+fn the_pressure_sinkage_law_has_no_influence() {
+    let softer = json!({"soil": {"pressure_sinkage": {"k_phi": 300_000, "n0": 1.3, "n1": 0.2}}});
+    assert_eq!(post("/v1/coupled", &measured(softer)).ok(), post("/v1/coupled", &measured(json!({}))).ok());
+}
+
+#[test]
+fn velocities_give_the_slip_and_a_wheel_that_turns_backwards_is_the_mirror_image() {
+    let moving = |sign: f64, torque: Value| {
+        let motion =
+            json!({"slip": null, "forward_velocity_m_s": 0.16 * sign, "angular_velocity_rad_s": sign, "torque_n_m": torque});
+        post("/v1/coupled", &measured(motion)).ok()
+    };
+    for torque in [Value::Null, json!(4.0)] {
+        let ahead = moving(1.0, torque.clone());
+        let back = moving(-1.0, torque.as_f64().map_or(Value::Null, |torque| json!(-torque)));
+        assert!((number(&ahead, "slip") - 0.2).abs() < ROUNDING);
+        assert_eq!(ahead["slip"], back["slip"]);
+        for name in ["longitudinal_force_n", "torque_n_m"] {
+            assert_eq!(number(&back, name), -number(&ahead, name), "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_torque_that_the_load_cannot_go_with_is_warned_of() {
+    let reply = post("/v1/coupled", &measured(json!({"torque_n_m": 200}))).ok();
+    assert_eq!(reply["warnings"][0]["code"], "negative_normal_stress");
+    assert_eq!(post("/v1/coupled", &measured(json!({}))).ok()["warnings"], json!([]));
+}
+
+#[test]
+fn a_braking_wheel_that_carries_nothing_is_refused_at_its_slip() {
+    let change = json!({"slip": -1, "sinkage_m": 0.2, "soil": {"friction_angle_rad": 1.2}});
+    assert_eq!(post("/v1/coupled", &measured(change)).pointers(), ["/slip"]);
+}
+
+#[test]
+fn all_that_is_missing_or_wrong_is_named_at_once() {
+    let empty = post("/v1/coupled", &json!({})).pointers();
+    assert_eq!(empty, ["/wheel", "/soil", "/slip", "/sinkage_m", "/normal_load_n"]);
+    let wrong = json!({"sinkage_m": 0.3, "normal_load_n": 0, "torque_n_m": "much", "normal_stress_radius": "rimm"});
+    let faults = post("/v1/coupled", &measured(wrong)).pointers();
+    assert_eq!(faults, ["/sinkage_m", "/normal_load_n", "/torque_n_m", "/normal_stress_radius"]);
+    assert_eq!(post("/v1/coupled", &measured(json!({"method": "linearised"}))).pointers(), ["/method"]);
+}
+
+#[test]
+fn a_table_is_one_row() {
+    let (reply, text) = (post("/v1/coupled", &measured(json!({}))).ok(), post_for_csv("/v1/coupled", &measured(json!({}))).text);
+    let columns = table(&text);
+    assert_eq!(columns.len(), 4);
+    for (name, column) in columns {
+        assert_eq!(column, [reply[name.as_str()].as_f64()], "{name}");
+    }
+}

@@ -1,0 +1,128 @@
+//! The catalogue's entries in requests: every one computes, or says what it lacks or assumes.
+
+use serde_json::{Value, json};
+
+use crate::asking::{Answer, letter, post, with};
+use crate::catalogue::entries;
+
+/// What a request adds where an entry does not know a field.
+fn stand_in(field: &str) -> Value {
+    match field {
+        "cohesion_pa" => json!(500),
+        "friction_angle_rad" => json!(0.5),
+        "shear_modulus_m" => json!(0.01),
+        "pressure_sinkage" => json!({"law": "direct", "k_s": 1e6, "n0": 1}),
+        "width_m" => json!(0.1),
+        other => panic!("no stand-in for {other}"),
+    }
+}
+
+fn names(list: &Value) -> Vec<&str> {
+    list.as_array().expect("an array").iter().map(|name| name.as_str().expect("a name")).collect()
+}
+
+/// The letter's request with the wheel or the soil replaced.
+fn request_with(part: &str, object: &Value) -> Value {
+    with(&with(&letter(), json!({part: null, "sinkage_m": 0.005})), json!({part: object}))
+}
+
+fn without_warnings(answer: &Answer) -> Value {
+    with(&answer.ok(), json!({"warnings": null}))
+}
+
+#[test]
+fn every_soil_computes_as_a_preset_or_says_which_fields_are_missing() {
+    let mut incomplete = 0;
+    for soil in entries("/v1/soils", "soils") {
+        let preset = request_with("soil", &json!({"preset": soil["id"]}));
+        let missing = names(&soil["missing"]);
+        let answer = post("/v1/forces", &preset);
+        if missing.is_empty() {
+            let spelled = with(&request_with("soil", &soil["soil"]), json!({"contact": soil["contact"]}));
+            let warned_of_gravity = answer.warned_of().contains(&"low_gravity".into());
+            assert_eq!(warned_of_gravity, soil["kind"] == "lunar" || soil["kind"] == "martian", "{}", soil["id"]);
+            // The numbers alone do not say where the soil lies.
+            assert_eq!(without_warnings(&answer), without_warnings(&post("/v1/forces", &spelled)), "{}", soil["id"]);
+            continue;
+        }
+        incomplete += 1;
+        let pointers: Vec<String> = missing.iter().map(|name| format!("/soil/{name}")).collect();
+        assert_eq!(answer.pointers(), pointers);
+        for pointer in &pointers {
+            let detail = answer.fault(pointer);
+            assert!(detail.contains(soil["id"].as_str().expect("an id")), "{detail}");
+        }
+        let added: Value = missing.iter().map(|name| ((*name).to_owned(), stand_in(name))).collect();
+        let completed = post("/v1/forces", &with(&preset, json!({"soil": added})));
+        assert!(completed.ok()["normal_force_n"].as_f64().expect("a force") > 0.0, "{}", soil["id"]);
+    }
+    assert!(incomplete > 30, "only {incomplete} soils lack a value");
+}
+
+#[test]
+fn every_wheel_computes_as_a_preset_or_says_which_fields_are_missing() {
+    let mut incomplete = 0;
+    for wheel in entries("/v1/wheels", "wheels") {
+        let preset = request_with("wheel", &json!({"preset": wheel["id"]}));
+        let missing = names(&wheel["missing"]);
+        let answer = post("/v1/forces", &preset);
+        if missing.is_empty() {
+            let spelled = request_with("wheel", &wheel["wheel"]);
+            assert_eq!(without_warnings(&answer), without_warnings(&post("/v1/forces", &spelled)), "{}", wheel["id"]);
+            continue;
+        }
+        incomplete += 1;
+        assert_eq!(answer.pointers(), missing.iter().map(|name| format!("/wheel/{name}")).collect::<Vec<_>>());
+        let added: Value = missing.iter().map(|name| ((*name).to_owned(), stand_in(name))).collect();
+        assert!(post("/v1/forces", &with(&preset, json!({"wheel": added}))).ok()["torque_n_m"].is_number());
+    }
+    assert_eq!(incomplete, 3, "the widths of three flight wheels are not published");
+}
+
+#[test]
+fn a_law_that_is_only_partly_published_names_the_rest() {
+    let body = request_with("soil", &json!({"preset": "wong-reece-compact-sand"}));
+    let detail = post("/v1/forces", &body).fault("/soil/pressure_sinkage");
+    assert!(detail.contains("`reece` it lacks k_c, k_phi, unit_weight_n_m3"), "{detail}");
+}
+
+const ASSUMED: &str = "lug_height_assumed";
+
+#[test]
+fn a_wheel_whose_lug_height_is_not_published_says_that_it_is_computed_as_smooth() {
+    let mut assumed = 0;
+    for wheel in entries("/v1/wheels", "wheels") {
+        let width = if names(&wheel["missing"]).is_empty() { json!({}) } else { json!({"width_m": 0.1}) };
+        let preset = with(&width, json!({"preset": wheel["id"]}));
+        let answer = post("/v1/forces", &request_with("wheel", &preset));
+        let says_so = answer.warned_of().contains(&ASSUMED.into());
+        assert_eq!(says_so, names(&wheel["assumed"]) == ["lug_height_m"], "{}", wheel["id"]);
+        if says_so {
+            assumed += 1;
+            assert!(wheel["wheel"]["lug_height_m"].is_null());
+            let given = post("/v1/forces", &request_with("wheel", &with(&preset, json!({"lug_height_m": 0}))));
+            assert_eq!(without_warnings(&given), without_warnings(&answer), "the same wheel, known to be smooth");
+            assert!(!given.warned_of().contains(&ASSUMED.into()));
+        }
+    }
+    assert_eq!(assumed, 15);
+    // Every answer about such a wheel says so.
+    let zhurong = request_with("wheel", &json!({"preset": "zhurong"}));
+    let range = json!({"from": 0, "to": 0.4, "points": 3});
+    for (path, changes) in [
+        ("/v1/stress-profile", json!({})),
+        ("/v1/slip-sweep", json!({"slip": range})),
+        ("/v1/compare", json!({"slip": range, "methods": ["quadrature"]})),
+    ] {
+        assert!(post(path, &with(&zhurong, changes)).warned_of().contains(&ASSUMED.into()), "{path}");
+    }
+}
+
+/// The authors of these wheels' models let the shear stress act at the tips of the grousers: r_s = r + h.
+#[test]
+fn the_shear_acts_where_the_authors_of_a_wheel_say() {
+    for (id, expected) in [("archimede-units", 0.085 + 0.01), ("cmu-k10-mini-grouser", 0.058 + 0.005), ("cmu-jia-wheel", 0.092)] {
+        let answer = post("/v1/forces", &request_with("wheel", &json!({"preset": id}))).ok();
+        assert!((answer["shearing_radius_m"].as_f64().expect("a radius") - expected).abs() < 1e-15, "{id}");
+    }
+}

@@ -1,0 +1,335 @@
+//! `GET /v1/validation`.
+
+use axum::body::Body;
+use serde_json::{Value, json};
+
+use crate::asking::{get, post, request, send, table, with};
+
+const METHODS: [&str; 3] = ["quadrature", "linearised", "explicit"];
+
+/// Of numbers that the test computes anew from the same doubles, in another order of summation.
+const ROUNDING: f64 = 1e-12;
+
+/// A solved sinkage is good to 1e-9, and forces with it.
+const SOLVED: f64 = 1e-8;
+
+fn sets() -> Vec<Value> {
+    get("/v1/validation").ok()["sets"].as_array().expect("sets").clone()
+}
+
+fn set(id: &str) -> Value {
+    get(&format!("/v1/validation/{id}")).ok()
+}
+
+fn numbers(column: &Value) -> Vec<Option<f64>> {
+    column.as_array().unwrap_or_else(|| panic!("a column: {column}")).iter().map(Value::as_f64).collect()
+}
+
+fn measured(set: &Value, name: &str) -> Vec<Option<f64>> {
+    numbers(&set["columns"]["measured"][name])
+}
+
+fn predicted(set: &Value, method: &str, name: &str) -> Vec<Option<f64>> {
+    numbers(&set["columns"]["predicted"][method][name])
+}
+
+#[test]
+fn every_published_series_is_there_predicted_and_fitted_apart() {
+    let known: Vec<(String, bool)> = sets()
+        .iter()
+        .map(|set| {
+            let fitted: Vec<bool> =
+                set["results"].as_array().expect("results").iter().filter_map(|r| r["fitted"].as_bool()).collect();
+            assert_eq!(fitted, [fitted[0]; 3], "one set is either fitted or not");
+            assert_eq!(set["fitted_to"].is_string(), fitted[0], "a fit says what was fitted");
+            (set["id"].as_str().expect("an id").to_owned(), fitted[0])
+        })
+        .collect();
+    let expected = [
+        ("ding-2011-smooth", false),
+        ("ding-2011-smooth-fitted", true),
+        ("ding-2011-lug10", false),
+        ("ding-2011-lug10-fitted", true),
+        ("wang-han-2016-smooth", false),
+        ("wang-han-2016-smooth-fitted", true),
+        ("wang-han-2016-lug10", false),
+        ("wang-han-2016-lug10-fitted", true),
+        ("hurrell-2025-rashid", false),
+        ("yoshida-2003-24n", false),
+        ("yoshida-2003-34n", false),
+        ("yoshida-2003-54n", false),
+        ("cmu-grousered-driving", true),
+        ("cmu-grousered-braking", true),
+        ("cmu-smooth-driving", true),
+        ("cmu-smooth-braking", true),
+        ("apollo-lrv", false),
+    ];
+    assert_eq!(known, expected.map(|(id, fitted)| (id.to_owned(), fitted)));
+}
+
+#[test]
+fn a_set_alone_is_the_one_among_all_and_an_unknown_one_is_refused() {
+    for each in sets() {
+        assert_eq!(set(each["id"].as_str().expect("an id")), each);
+    }
+    let detail = get("/v1/validation/ding-2011-smoth").problem(404)["detail"].as_str().expect("a detail").to_owned();
+    assert!(detail.contains("did you mean `ding-2011-smooth`?"), "{detail}");
+}
+
+/// Facts of the sources, as they were published or read off: slip, then what was measured there.
+#[test]
+fn measured_points_are_those_of_the_sources() {
+    let facts = [
+        // Ding et al. 2011, Fig. 9: the wheel of 157.35 mm and 165 mm under 80 N, smooth and with lugs of 10 mm.
+        ("ding-2011-smooth", 0.0, Some(-6.5), Some(0.005), Some(0.0)),
+        ("ding-2011-smooth", 0.2, Some(14.5), Some(0.0075), Some(4.2)),
+        ("ding-2011-smooth-fitted", 0.6, Some(15.0), Some(0.0175), Some(5.3)),
+        ("ding-2011-lug10", 0.6, Some(24.5), Some(0.027), Some(7.2)),
+        // Wang & Han 2016, Fig. 14: 58.86 N on KLS-1.
+        ("wang-han-2016-smooth", 0.3, Some(2.0), Some(0.0045), Some(1.9)),
+        ("wang-han-2016-lug10", 0.4, Some(12.7), Some(0.0096), Some(3.1)),
+        ("wang-han-2016-lug10-fitted", 0.5, Some(6.4), Some(0.0135), Some(2.85)),
+        // Hurrell et al. 2025, Figs. 5 and 6: traction coefficient 0.429 of 24.5 N, to the tenth of a newton.
+        ("hurrell-2025-rashid", 0.5, Some(10.5), Some(0.0195), None),
+        // Yoshida et al. 2003, Fig. 3 (and Fig. 4 for the sinkage).
+        ("yoshida-2003-24n", 0.764, Some(7.78), Some(0.03), None),
+        ("yoshida-2003-34n", 0.72, Some(17.42), None, None),
+        ("yoshida-2003-54n", 0.809, Some(29.87), None, None),
+        // Pavlov & Johnson 2024: locked, rolling and driving.
+        ("cmu-grousered-braking", -1.0, Some(-38.9417), Some(0.0492498), None),
+        ("cmu-grousered-driving", 0.899539, Some(4.76253), Some(0.0420694), None),
+        ("cmu-smooth-braking", -1.0, Some(-38.8447), Some(0.050314), None),
+        ("cmu-smooth-driving", 0.500002, Some(0.966554), Some(0.02274), None),
+        // Carrier 2006: ruts of about 1.25 cm.
+        ("apollo-lrv", 0.025, None, Some(0.0125), None),
+    ];
+    for (id, slip, force, sinkage, torque) in facts {
+        let set = set(id);
+        let row =
+            numbers(&set["columns"]["slip"]).iter().position(|at| *at == Some(slip)).unwrap_or_else(|| panic!("{id} at {slip}"));
+        let names = ["longitudinal_force_n", "sinkage_m", "torque_n_m"];
+        assert_eq!(names.map(|name| measured(&set, name)[row]), [force, sinkage, torque], "{id} at {slip}");
+    }
+    let counts = sets().iter().map(|set| set["points"].as_u64().expect("points")).collect::<Vec<_>>();
+    assert_eq!(counts, [6, 6, 6, 6, 5, 5, 5, 5, 5, 12, 6, 6, 5, 4, 5, 4, 1]);
+}
+
+/// The errors follow from the columns of the reply, row by row, without what was not measured or has no solution.
+#[test]
+fn every_error_is_that_of_the_columns() {
+    let mut errors = 0;
+    for set in sets() {
+        let load = numbers(&set["columns"]["normal_load_n"]);
+        for (result, method) in set["results"].as_array().expect("results").iter().zip(METHODS) {
+            assert_eq!(result["method"], method);
+            let members = [
+                ("drawbar_rmse_over_load", "longitudinal_force_n", true),
+                ("sinkage_rmse_m", "sinkage_m", false),
+                ("torque_rmse_n_m", "torque_n_m", false),
+            ];
+            for (member, name, is_over_load) in members {
+                let scale = |row: usize| if is_over_load { load[row].expect("a load") } else { 1.0 };
+                let pairs = predicted(&set, method, name).into_iter().zip(measured(&set, name)).enumerate();
+                let squares: Vec<f64> = pairs.filter_map(|(row, (a, b))| Some(((a? - b?) / scale(row)).powi(2))).collect();
+                let place = format!("{} {method} {member}", set["id"]);
+                if squares.is_empty() {
+                    assert!(result[member].is_null(), "{place}");
+                } else {
+                    let expected = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+                    let stated = result[member].as_f64().expect("a number");
+                    assert!((stated - expected).abs() <= ROUNDING * expected, "{place}: {stated}, not {expected}");
+                    errors += 1;
+                }
+            }
+            let unsolved = predicted(&set, method, "sinkage_m").iter().filter(|sinkage| sinkage.is_none()).count();
+            assert_eq!(result["unsolved"], unsolved, "{} {method}", set["id"]);
+        }
+    }
+    assert!(errors > 17 * 3, "only {errors} errors were computed");
+}
+
+#[test]
+fn columns_are_of_one_length() {
+    for set in sets() {
+        let columns = &set["columns"];
+        let groups = [&columns["measured"]].into_iter().chain(METHODS.map(|method| &columns["predicted"][method]));
+        let in_groups = groups.flat_map(|group| group.as_object().expect("columns").values());
+        for column in in_groups.chain([&columns["slip"], &columns["normal_load_n"]]) {
+            assert_eq!(column.as_array().map(Vec::len), set["points"].as_u64().map(|points| points as usize), "{}", set["id"]);
+        }
+    }
+}
+
+/// Anyone can ask for a point with the wheel, soil and contact of the set.
+#[test]
+fn every_prediction_is_what_forces_gives() {
+    for set in sets() {
+        let mut body = json!({"wheel": set["wheel"], "soil": set["soil"]});
+        if !set["contact"].is_null() {
+            body["contact"] = set["contact"].clone();
+        }
+        let row = set["points"].as_u64().expect("points") as usize - 1;
+        let at = json!({"slip": set["columns"]["slip"][row], "normal_load_n": set["columns"]["normal_load_n"][row]});
+        for method in METHODS {
+            let forces = post("/v1/forces", &with(&with(&body, at.clone()), json!({"method": method}))).ok();
+            for name in ["longitudinal_force_n", "sinkage_m", "torque_n_m"] {
+                let (here, there) =
+                    (predicted(&set, method, name)[row].expect("a value"), forces[name].as_f64().expect("a value"));
+                assert!(
+                    (here - there).abs() <= SOLVED * there.abs().max(SOLVED),
+                    "{} {method} {name}: {here}, {there}",
+                    set["id"]
+                );
+            }
+            let carried = forces["normal_force_n"].as_f64().expect("a force") / at["normal_load_n"].as_f64().expect("a load");
+            assert!((carried - 1.0).abs() < SOLVED, "{}", set["id"]);
+        }
+    }
+}
+
+#[test]
+fn points_without_a_solution_are_null_counted_and_warned_of() {
+    let mut gaps = 0;
+    for set in sets() {
+        for (result, method) in set["results"].as_array().expect("results").iter().zip(METHODS) {
+            let warned = set["warnings"].as_array().expect("warnings").iter().any(|warning| {
+                warning["code"] == "no_solution"
+                    && warning["detail"]
+                        .as_str()
+                        .is_some_and(|detail| detail.starts_with(&format!("{method}: no solution at ind")))
+            });
+            let unsolved = result["unsolved"].as_u64().expect("a count");
+            assert_eq!(warned, unsolved > 0, "{} {method}", set["id"]);
+            gaps += unsolved;
+        }
+    }
+    assert!(gaps > 0, "the locked wheel of the smooth set is more than the closed forms carry");
+}
+
+/// Wong and Reece's integrals, computed elsewhere with the authors' soil, contact and exit angles on the radius over the
+/// grousers, reach the measured pull within 1.2 N and the sinkage within a fifth up to 75 % slip.
+#[test]
+fn the_integral_meets_the_grousered_wheel_of_carnegie_mellon() {
+    const PULL_N: f64 = 1.2;
+    const SINKAGE_SHARE: f64 = 0.2;
+    let set = set("cmu-grousered-driving");
+    let slips = numbers(&set["columns"]["slip"]);
+    let rows: Vec<usize> = (0..slips.len()).filter(|&row| slips[row].is_some_and(|slip| slip < 0.8)).collect();
+    assert_eq!(rows.len(), 4);
+    for row in rows {
+        let value = |column: Vec<Option<f64>>| column[row].expect("a value");
+        let pull = value(predicted(&set, "quadrature", "longitudinal_force_n")) - value(measured(&set, "longitudinal_force_n"));
+        let sinkage = value(predicted(&set, "quadrature", "sinkage_m")) / value(measured(&set, "sinkage_m")) - 1.0;
+        assert!(pull.abs() <= PULL_N && sinkage.abs() <= SINKAGE_SHARE, "slip {:?}: {pull} N, {sinkage}", slips[row]);
+    }
+}
+
+/// The exponents of a fitted set are the line through those that carry the load at the measured sinkages.
+#[test]
+fn a_fitted_exponent_is_the_line_through_those_that_carry_the_load() {
+    /// The records have two decimals.
+    const HALF_A_DIGIT: f64 = 0.005;
+    for id in ["ding-2011-smooth", "ding-2011-lug10", "wang-han-2016-smooth", "wang-han-2016-lug10"] {
+        let (plain, fitted) = (set(id), set(&format!("{id}-fitted")));
+        assert_eq!(plain["columns"]["measured"], fitted["columns"]["measured"]);
+        let law = &fitted["soil"]["pressure_sinkage"];
+        let load = plain["columns"]["normal_load_n"][0].as_f64().expect("a load");
+        let exponent = |slip: f64, sinkage: f64| -> f64 {
+            let carried = |exponent: f64| {
+                let soil = with(&fitted["soil"], json!({"pressure_sinkage": {"n0": exponent, "n1": 0}}));
+                let body = json!({"wheel": fitted["wheel"], "soil": soil, "slip": slip, "sinkage_m": sinkage});
+                post("/v1/forces", &body).ok()["normal_force_n"].as_f64().expect("a force")
+            };
+            let (mut stiff, mut soft) = (0.1, 3.0);
+            for _ in 0..20 {
+                let middle = 0.5 * (stiff + soft);
+                if carried(middle) > load { stiff = middle } else { soft = middle }
+            }
+            0.5 * (stiff + soft)
+        };
+        let points: Vec<(f64, f64)> = numbers(&plain["columns"]["slip"])
+            .into_iter()
+            .zip(measured(&plain, "sinkage_m"))
+            .map(|(slip, sinkage)| (slip.expect("a slip"), sinkage.expect("a sinkage")))
+            .map(|(slip, sinkage)| (slip, exponent(slip, sinkage)))
+            .collect();
+        let count = points.len() as f64;
+        let (mean_slip, mean) =
+            (points.iter().map(|p| p.0).sum::<f64>() / count, points.iter().map(|p| p.1).sum::<f64>() / count);
+        let gain = points.iter().map(|p| (p.0 - mean_slip) * (p.1 - mean)).sum::<f64>()
+            / points.iter().map(|p| (p.0 - mean_slip).powi(2)).sum::<f64>();
+        for (name, found) in [("n0", mean - gain * mean_slip), ("n1", gain)] {
+            let stated = law[name].as_f64().expect("a number");
+            assert!((stated - found).abs() <= HALF_A_DIGIT, "{id} {name}: {stated}, not {found}");
+        }
+    }
+}
+
+/// The plate tests of Yoshida et al. 2003 (sinkage in mm, pressure in Pa) give the moduli by ln p = ln k_i + n ln z with one n
+/// for both plates and weights p², k_i = k_c/b_i + k_phi.
+#[test]
+fn the_moduli_of_the_dry_sand_are_the_weighted_fit_of_its_plate_tests() {
+    const PLATES: [(f64, [(f64, f64); 8]); 2] = [
+        (
+            0.06,
+            [
+                (0.71, 247.0),
+                (1.017, 342.0),
+                (1.116, 438.0),
+                (1.522, 629.0),
+                (1.829, 885.0),
+                (2.134, 1100.0),
+                (2.538, 1291.0),
+                (2.639, 1461.0),
+            ],
+        ),
+        (
+            0.116,
+            [
+                (0.813, 469.0),
+                (0.914, 684.0),
+                (1.219, 974.0),
+                (1.421, 1371.0),
+                (1.93, 1744.0),
+                (2.233, 2096.0),
+                (2.538, 2465.0),
+                (3.045, 2826.0),
+            ],
+        ),
+    ];
+    let mut slope = (0.0, 0.0);
+    let means = PLATES.map(|(width, points)| {
+        let logs = points.map(|(z, p): (f64, f64)| ((1e-3 * z).ln(), p.ln(), p * p));
+        let weight: f64 = logs.iter().map(|(_, _, w)| w).sum();
+        let x = logs.iter().map(|(x, _, w)| w * x).sum::<f64>() / weight;
+        let y = logs.iter().map(|(_, y, w)| w * y).sum::<f64>() / weight;
+        slope.0 += logs.iter().map(|(lx, ly, w)| w * (lx - x) * (ly - y)).sum::<f64>();
+        slope.1 += logs.iter().map(|(lx, _, w)| w * (lx - x).powi(2)).sum::<f64>();
+        (width, x, y)
+    });
+    let exponent = slope.0 / slope.1;
+    let [(narrow, k_narrow), (wide, k_wide)] = means.map(|(width, x, y)| (width, (y - exponent * x).exp()));
+    let k_c = (k_narrow - k_wide) / (1.0 / narrow - 1.0 / wide);
+    let law = set("yoshida-2003-24n")["soil"]["pressure_sinkage"].clone();
+    for (name, found, half_a_digit) in [("n0", exponent, 5e-5), ("k_c", k_c, 0.5), ("k_phi", k_narrow - k_c / narrow, 0.5)] {
+        let stated = law[name].as_f64().expect("a number");
+        assert!((stated - found).abs() <= half_a_digit, "{name}: {stated}, not {found}");
+    }
+    for other in ["yoshida-2003-34n", "yoshida-2003-54n"] {
+        assert_eq!(set(other)["soil"]["pressure_sinkage"], law);
+    }
+}
+
+#[test]
+fn a_set_comes_as_a_table() {
+    let answer = send(request("GET", "/v1/validation/cmu-smooth-braking", &[("accept", "text/csv")], Body::empty()));
+    assert!(answer.header("content-type").starts_with("text/csv"));
+    assert!(answer.header("x-warnings").contains("no_solution"));
+    let set = set("cmu-smooth-braking");
+    for (name, column) in table(&answer.text) {
+        let pointer = format!("/columns/{}", name.replace('.', "/"));
+        assert_eq!(column, numbers(set.pointer(&pointer).unwrap_or_else(|| panic!("{pointer}"))), "{name}");
+    }
+    assert_eq!(answer.text.lines().count(), 5);
+    assert_eq!(table(&answer.text).len(), 2 + 4 + 3 * 4);
+}
