@@ -103,14 +103,16 @@ def chosen(schema, groups, choice):
 
 
 def straight_or_sideways(schema):
-    """The schema without a slip angle, and with one where a lateral force is known: by quadrature, of one zone."""
+    """The schema with a closed form, which has no lateral force, and with the quadrature, which has one unless of two zones."""
     if not has(schema, SIDEWAYS):
         return [schema]
-    straight, sideways = requiring(schema, [], without=SIDEWAYS), requiring(schema, [])
-    if sideways["properties"]["braking"]["enum"] == ["two_zone"]:
-        return [straight]
-    sideways["properties"]["method"]["enum"] = ["quadrature"]
-    return [straight, sideways]
+    if schema["properties"]["braking"]["enum"] == ["two_zone"]:
+        return [requiring(schema, [], without=SIDEWAYS)]
+    closed, integrated = requiring(schema, ["method"], without=SIDEWAYS), requiring(schema, [])
+    # Apart from each other: a request that fits both would fit neither.
+    closed["properties"]["method"]["enum"] = [method for method in schema["properties"]["method"]["enum"] if method != "quadrature"]
+    integrated["properties"]["method"]["enum"] = ["quadrature"]
+    return [closed, integrated]
 
 
 def requiring(schema, fields, without=()):
