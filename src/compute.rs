@@ -28,7 +28,11 @@ impl Cost {
     /// Of `points` operating points, and of writing their rows.
     pub(crate) fn of_points(operation: &Operation, points: usize) -> Self {
         // A stiff contact makes the quadrature refine to dozens of panels; most take a fortieth of this.
-        let evaluation = if operation.model.method == Method::Quadrature { 80_000.0 } else { 200.0 };
+        let evaluation = match operation.model.method {
+            Method::Quadrature => 80_000.0,
+            Method::SideSlipping(_) => 300_000.0, // two integrals, whose integrands take longer
+            Method::Linearised { .. } | Method::Explicit { .. } => 200.0,
+        };
         let evaluations = if matches!(operation.sinkage, Sinkage::CarryingLoad(_)) { 20.0 } else { 1.0 };
         Self(points as f64 * (evaluation * evaluations + 500.0))
     }

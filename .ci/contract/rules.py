@@ -24,6 +24,9 @@ TRACKED_SINKAGE = (["static_sinkage_m"], ["normal_load_n"])
 # Fields that have a meaning only beside another.
 BESIDE = {"slip_sinkage": "static_sinkage_m"}
 
+# Fields of a wheel that moves at an angle to its plane.
+SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
+
 # How a refusal starts whose reason stands in the schema: a bound, a type, a word, a name, a field that is left out.
 IN_THE_SCHEMA = ("must be ", "must have ", "unknown name ", "unknown field", "is required")
 # The one field that may be required in spite of the schema: a value that nobody published for a preset.
@@ -41,7 +44,8 @@ def before_load_schema(context, raw_schema):
             groups = [TRACKED_SINKAGE]
         if groups:
             variants = (chosen(schema, groups, choice) for choice in product(*groups))
-            schemas[name] = one_of(zoned for variant in variants for zoned in by_zones(variant))
+            zoned = (variant for choice in variants for variant in by_zones(choice))
+            schemas[name] = one_of(variant for of in zoned for variant in straight_or_sideways(of))
     wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
     schemas["Wheel"] = one_of(
         [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
@@ -97,7 +101,7 @@ def one_way(parameters):
     """
     given = ["wheel.preset", "soil.preset", "sinkage_m", "slip", "slip.from", "slip.to", "slip.points"]
     others = [name for group in (SINKAGE, SLIP) for way in group for name in way if name not in given]
-    others.append("braking")
+    others += ["braking", *SIDEWAYS]
     tagged = ("contact.", "slip_sinkage.", "soil.pressure_sinkage.", "soil.shear.")
     kept = [of for of in parameters if of["name"] not in others and not of["name"].startswith(tagged)]
     return [{**of, "required": of["name"] in given} for of in kept]
@@ -132,6 +136,19 @@ def chosen(schema, groups, choice):
     others = [field for group in groups for alternative in group for field in alternative if field not in given]
     lonely = [field for field, other in BESIDE.items() if has(schema, [field]) and other not in given]
     return requiring(schema, given, [*others, *lonely])
+
+
+def straight_or_sideways(schema):
+    """The schema with a closed form, which has no lateral force, and with the quadrature, which has one unless of two zones."""
+    if not has(schema, SIDEWAYS):
+        return [schema]
+    if schema["properties"]["braking"]["enum"] == ["two_zone"]:
+        return [requiring(schema, [], without=SIDEWAYS)]
+    closed, integrated = requiring(schema, ["method"], without=SIDEWAYS), requiring(schema, [])
+    # Apart from each other: a request that fits both would fit neither.
+    closed["properties"]["method"]["enum"] = [method for method in schema["properties"]["method"]["enum"] if method != "quadrature"]
+    integrated["properties"]["method"]["enum"] = ["quadrature"]
+    return [closed, integrated]
 
 
 def requiring(schema, fields, without=()):

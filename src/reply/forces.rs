@@ -12,7 +12,7 @@ use crate::request::ForcesQuery;
 /// The name of a method on the wire.
 pub(crate) fn method_name(method: &Method) -> &'static str {
     match method {
-        Method::Quadrature => "quadrature",
+        Method::Quadrature | Method::SideSlipping(_) => "quadrature",
         Method::Linearised { .. } => "linearised",
         Method::Explicit { .. } => "explicit",
     }
@@ -36,6 +36,18 @@ pub(crate) struct ForcesReply {
     /// Torque T about the axle (N·m).
     torque_n_m: f64,
     components: ComponentsReply,
+    /// Lateral force F_y (N), to the left, with the sign of the slip angle; present where a slip angle was sent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    lateral_force_n: Option<f64>,
+    /// Overturning moment M_x = r F_y (N·m) about the axis ahead; present where a slip angle was sent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    overturning_moment_n_m: Option<f64>,
+    /// Aligning moment M_z (N·m) of the lateral stresses about the axis upwards; present where a slip angle was sent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    aligning_moment_n_m: Option<f64>,
     /// F_x/F_z (–); null where F_z is not positive.
     drawbar_coefficient: Option<f64>,
     /// F_x v/(T ω) (–); null unless the wheel drives.
@@ -49,7 +61,7 @@ pub(crate) struct ForcesReply {
     warnings: Vec<Warning>,
     /// The numbers once more, as the one row of a table.
     #[serde(skip)]
-    row: [f64; COLUMNS.len()],
+    row: Vec<f64>,
 }
 
 /// The four parts of the forces: F_x = traction − resistance, F_z = normal support + shear support.
@@ -81,6 +93,9 @@ pub(super) const COLUMNS: [&str; 11] = [
     "tractive_efficiency",
 ];
 
+/// Names of the further columns where a slip angle was sent.
+pub(super) const SIDE_COLUMNS: [&str; 3] = ["lateral_force_n", "overturning_moment_n_m", "aligning_moment_n_m"];
+
 impl TryFrom<&ForcesQuery> for ForcesReply {
     type Error = Error;
 
@@ -96,6 +111,21 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
         }
         let drawbar_coefficient = forces.drawbar_coefficient();
         let tractive_efficiency = forces.tractive_efficiency(wheel, motion.slip, motion.heading);
+        let side = forces.side;
+        let mut row = vec![
+            motion.slip.ratio(),
+            point.sinkage,
+            forces.longitudinal,
+            forces.normal,
+            forces.torque,
+            parts.traction,
+            parts.resistance,
+            parts.normal_support,
+            parts.shear_support,
+            drawbar_coefficient.unwrap_or(f64::NAN),
+            tractive_efficiency.unwrap_or(f64::NAN),
+        ];
+        row.extend(side.iter().flat_map(|side| [side.lateral, side.overturning_moment, side.aligning_moment]));
         Ok(Self {
             slip: motion.slip.ratio(),
             sinkage_m: point.sinkage,
@@ -110,32 +140,23 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
                 normal_support_n: parts.normal_support,
                 shear_support_n: parts.shear_support,
             },
+            lateral_force_n: side.map(|side| side.lateral),
+            overturning_moment_n_m: side.map(|side| side.overturning_moment),
+            aligning_moment_n_m: side.map(|side| side.aligning_moment),
             drawbar_coefficient,
             tractive_efficiency,
             sinkage_modulus: point.sinkage_modulus,
             sinkage_exponent: point.sinkage_exponent,
             shearing_radius_m: wheel.shearing_radius(),
             warnings,
-            row: [
-                motion.slip.ratio(),
-                point.sinkage,
-                forces.longitudinal,
-                forces.normal,
-                forces.torque,
-                parts.traction,
-                parts.resistance,
-                parts.normal_support,
-                parts.shear_support,
-                drawbar_coefficient.unwrap_or(f64::NAN),
-                tractive_efficiency.unwrap_or(f64::NAN),
-            ],
+            row,
         })
     }
 }
 
 impl Reply for ForcesReply {
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        COLUMNS.map(Cow::from).into_iter().zip(self.row.chunks(1)).collect()
+        COLUMNS.into_iter().chain(SIDE_COLUMNS).map(Cow::from).zip(self.row.chunks(1)).collect()
     }
 
     fn warnings(&self) -> &[Warning] {

@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use terramechanics::{Error, Outcome, SlipSweep, cautions};
+use terramechanics::{Error, Outcome, SideColumns, SlipSweep, cautions};
 use utoipa::ToSchema;
 
-use super::forces::{COLUMNS, method_name};
+use super::forces::{COLUMNS, SIDE_COLUMNS, method_name};
 use super::warning::{RowCautions, rows_in_words};
 use super::{Column, Reply, Warning};
 use crate::request::{SweepQuery, error_pointer};
@@ -58,6 +58,18 @@ pub(super) struct SweepColumns {
     /// F_x v/(T ω) (–), while the wheel drives.
     #[schema(value_type = Vec<Option<f64>>)]
     tractive_efficiency: Column,
+    /// Lateral force F_y (N), to the left, with the sign of the slip angle; present where a slip angle was sent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Vec<Option<f64>>, required = false)]
+    lateral_force_n: Option<Column>,
+    /// Overturning moment M_x = r F_y (N·m) about the axis ahead; present where a slip angle was sent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Vec<Option<f64>>, required = false)]
+    overturning_moment_n_m: Option<Column>,
+    /// Aligning moment M_z (N·m) of the lateral stresses about the axis upwards; present where a slip angle was sent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Vec<Option<f64>>, required = false)]
+    aligning_moment_n_m: Option<Column>,
 }
 
 impl From<&SweepQuery> for SweepReply {
@@ -72,6 +84,7 @@ impl From<&SweepQuery> for SweepReply {
                 sinkage: sweep.sinkage[row],
                 normal: Some(sweep.normal[row]),
                 integration_error: sweep.integration_error[row],
+                mobilised_share: sweep.side.mobilised_share.get(row).copied(),
             };
             cautious.add(row, cautions(operation, &outcome));
         }
@@ -82,6 +95,8 @@ impl From<&SweepQuery> for SweepReply {
 
 impl From<SlipSweep> for SweepColumns {
     fn from(sweep: SlipSweep) -> Self {
+        let SideColumns { lateral, overturning_moment, aligning_moment, .. } = sweep.side;
+        let across = |column: Vec<f64>| (!column.is_empty()).then_some(Column(column));
         Self {
             slip: Column(sweep.slip),
             sinkage_m: Column(sweep.sinkage),
@@ -94,6 +109,9 @@ impl From<SlipSweep> for SweepColumns {
             shear_support_n: Column(sweep.shear_support),
             drawbar_coefficient: Column(sweep.drawbar_coefficient),
             tractive_efficiency: Column(sweep.tractive_efficiency),
+            lateral_force_n: across(lateral),
+            overturning_moment_n_m: across(overturning_moment),
+            aligning_moment_n_m: across(aligning_moment),
         }
     }
 }
@@ -140,7 +158,10 @@ impl SweepColumns {
 
 impl Reply for SweepReply {
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.named().into_iter().map(|(name, column)| (name.into(), column)).collect()
+        let SweepColumns { lateral_force_n, overturning_moment_n_m, aligning_moment_n_m, .. } = &self.columns;
+        let across = SIDE_COLUMNS.into_iter().zip([lateral_force_n, overturning_moment_n_m, aligning_moment_n_m]);
+        let across = across.filter_map(|(name, column)| Some((name, column.as_ref()?.0.as_slice())));
+        self.columns.named().into_iter().chain(across).map(|(name, column)| (name.into(), column)).collect()
     }
 
     fn warnings(&self) -> &[Warning] {

@@ -21,6 +21,14 @@ pub(super) struct SoilBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     shear: Option<ShearBody>,
+    /// Shear deformation modulus K_y across the direction of travel (m), where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    lateral_shear_modulus_m: Option<f64>,
+    /// Unit weight γ (N/m³), where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    unit_weight_n_m3: Option<f64>,
 }
 
 /// A pressure–sinkage law, ready for a request.
@@ -75,8 +83,10 @@ struct ExponentBody {
 #[schema(as = FoundShear)]
 enum ShearBody {
     /// Over a hump to a residual.
+    #[schema(title = "FoundShear wong_residual")]
     WongResidual { residual_ratio: f64, peak_displacement_m: f64 },
     /// Over a peak to nothing.
+    #[schema(title = "FoundShear wong_peak")]
     WongPeak { peak_displacement_m: f64 },
 }
 
@@ -86,10 +96,13 @@ enum ShearBody {
 #[schema(as = FoundContact)]
 pub(super) enum ContactBody {
     /// θm = (θ1 + θ2)/2.
+    #[schema(title = "FoundContact midpoint")]
     Midpoint { c3: f64 },
     /// θm = (c1 + c2 s) θ1.
+    #[schema(title = "FoundContact wong_reece")]
     WongReece { c1: f64, c2: f64, c3: f64 },
     /// θm = arccos(1 − z/(2r)).
+    #[schema(title = "FoundContact half_sinkage")]
     HalfSinkage { c3: f64 },
 }
 
@@ -114,7 +127,16 @@ impl From<&SoilParams> for SoilBody {
             ShearLaw::WongPeak(law) => (None, Some(ShearBody::WongPeak { peak_displacement_m: law.peak_displacement })),
         };
         let (cohesion_pa, friction_angle_rad) = (soil.cohesion, soil.friction_angle);
-        Self { cohesion_pa, friction_angle_rad, shear_modulus_m, pressure_sinkage, shear }
+        let (lateral_shear_modulus_m, unit_weight_n_m3) = (soil.lateral_shear_modulus, soil.unit_weight);
+        Self {
+            cohesion_pa,
+            friction_angle_rad,
+            shear_modulus_m,
+            pressure_sinkage,
+            shear,
+            lateral_shear_modulus_m,
+            unit_weight_n_m3,
+        }
     }
 }
 

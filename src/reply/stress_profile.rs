@@ -78,6 +78,7 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
             sinkage,
             normal: solved.map(|forces| forces.normal),
             integration_error: solved.map_or(0.0, |forces| forces.integration_error),
+            mobilised_share: None,
         };
         let mut warnings: Vec<Warning> = cautions(operation, &outcome).map(Warning::from).collect();
         if motion.heading == Heading::Backward {

@@ -40,6 +40,7 @@ impl TryFrom<&TowedQuery> for TowedReply {
             sinkage: towed.sinkage,
             normal: Some(towed.forces.normal),
             integration_error: towed.forces.integration_error,
+            mobilised_share: None,
         };
         Ok(Self {
             slip,

@@ -92,6 +92,7 @@ impl Request for CompareDto {
             peak_sinkage: self.peak_sinkage(),
             braking: self.braking(),
             method: None,
+            side_slip: None,
         }
         .check(place);
         let slips = self.slip().slips(place);

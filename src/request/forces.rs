@@ -3,6 +3,7 @@
 use terramechanics::{Motion, Operation};
 
 use super::operation::{self, MethodEntries, MotionEntries, OperationEntries};
+use super::side_slip::{self, SideSlipEntries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};
 
@@ -25,6 +26,9 @@ wire_object! {
         braking: String = operation::BRAKING,
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
+        slip_angle_rad: f64 = side_slip::SLIP_ANGLE,
+        shear_coupling: String = side_slip::SHEAR_COUPLING,
+        bulldozing: String = side_slip::BULLDOZING,
     }
 }
 
@@ -50,6 +54,11 @@ impl Request for ForcesDto {
             peak_sinkage: self.peak_sinkage(),
             braking: self.braking(),
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
+            side_slip: Some(SideSlipEntries {
+                slip_angle: self.slip_angle_rad(),
+                shear_coupling: self.shear_coupling(),
+                bulldozing: self.bulldozing(),
+            }),
         }
         .check(place);
         let wheel = checked.as_ref().map(|checked| &checked.operation.system.wheel);

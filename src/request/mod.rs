@@ -11,6 +11,7 @@ mod identify;
 mod operation;
 mod resistances;
 mod series;
+mod side_slip;
 mod slip_sweep;
 mod soil;
 mod stress_profile;

@@ -7,6 +7,7 @@ use terramechanics::{
 
 use utoipa::openapi::{RefOr, Schema};
 
+use super::side_slip::SideSlipEntries;
 use super::soil::numbers_of;
 use super::{ContactDto, SoilDto, WheelDto};
 use crate::wire::{
@@ -72,13 +73,20 @@ pub(super) fn braking_law(entry: &Entry<'_, String>, place: &Scope<'_>, default:
     Some(law.unwrap_or(default))
 }
 
-/// Reports two zones with a method other than the quadrature; false where it did.
+/// Reports two zones with a closed form or a slip angle; false where it did.
 pub(super) fn takes_two_zones(method: Method, contact: &Contact, braking: &Entry<'_, String>, place: &Scope<'_>) -> bool {
-    let refused = method != Method::Quadrature && contact.braking() == Braking::TwoZone;
-    if refused {
-        place.field(braking.name).fault(Error::ClosedFormOfTwoZones);
+    if contact.braking() != Braking::TwoZone {
+        return true;
     }
-    !refused
+    let refusal = match method {
+        Method::Quadrature => None,
+        Method::SideSlipping(side) => (side.angle.angle() != 0.0).then_some(Error::SlipAngleOfTwoZones),
+        Method::Linearised { .. } | Method::Explicit { .. } => Some(Error::ClosedFormOfTwoZones),
+    };
+    if let Some(error) = refusal {
+        place.field(braking.name).fault(error);
+    }
+    refusal.is_none()
 }
 
 /// The slip–sinkage laws and their parameters.
@@ -127,6 +135,7 @@ pub(super) struct OperationEntries<'a> {
     pub(super) peak_sinkage: Entry<'a, String>,
     pub(super) braking: Entry<'a, String>,
     pub(super) method: Option<MethodEntries<'a>>,
+    pub(super) side_slip: Option<SideSlipEntries<'a>>,
 }
 
 /// The fields that choose a method.
@@ -168,6 +177,10 @@ impl OperationEntries<'_> {
         let method = match &self.method {
             Some(entries) => entries.check(place, peak_depth),
             None => Some(Method::Quadrature),
+        };
+        let method = match &self.side_slip {
+            Some(entries) => entries.check(place, method),
+            None => method,
         };
         let model = ForceModel { method: method?, normal_stress_radius: normal_stress_radius? };
         let contact = contact?.with_braking(braking?);
@@ -282,7 +295,7 @@ impl MethodEntries<'_> {
 }
 
 /// What `lookup` makes of the word: `Some(None)` where none was sent, `None` where it is wrong, which is reported.
-fn or_none<T>(entry: &Entry<'_, String>, place: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
+pub(super) fn or_none<T>(entry: &Entry<'_, String>, place: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
     if entry.is_present() { entry.looked_up(place, lookup).map(Some) } else { Some(None) }
 }
 
@@ -336,7 +349,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
         Error::PeakOutsideContact { .. } => "/contact",
-        Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones => "/braking",
+        Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
         Error::LoadNotCoupled { .. } => "/slip",
         Error::LoadBeyondCapacity { .. }
         | Error::LoadTooLight { .. }
@@ -346,6 +359,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::NotFinite => "",
         Error::Invalid(fault) => match fault.parameter {
             Parameter::Slip => "/slip",
+            Parameter::SlipAngle => "/slip_angle_rad",
             Parameter::NormalLoad => "/normal_load_n",
             Parameter::Torque => "/torque_n_m",
             Parameter::LambdaA => "/lambda_a",

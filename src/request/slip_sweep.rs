@@ -4,6 +4,7 @@ use terramechanics::{Operation, Slip};
 
 use super::axis::{SlipAxis, SlipAxisSpec};
 use super::operation::{self, MethodEntries, OperationEntries};
+use super::side_slip::{self, SideSlipEntries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};
 
@@ -24,6 +25,9 @@ wire_object! {
         braking: String = operation::BRAKING,
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
+        slip_angle_rad: f64 = side_slip::SLIP_ANGLE,
+        shear_coupling: String = side_slip::SHEAR_COUPLING,
+        bulldozing: String = side_slip::BULLDOZING,
     }
 }
 
@@ -49,6 +53,11 @@ impl Request for SweepDto {
             peak_sinkage: self.peak_sinkage(),
             braking: self.braking(),
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
+            side_slip: Some(SideSlipEntries {
+                slip_angle: self.slip_angle_rad(),
+                shear_coupling: self.shear_coupling(),
+                bulldozing: self.bulldozing(),
+            }),
         }
         .check(place);
         let slips = self.slip().slips(place);

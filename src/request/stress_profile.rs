@@ -58,6 +58,7 @@ impl Request for ProfileDto {
             peak_sinkage: self.peak_sinkage(),
             braking: self.braking(),
             method: None,
+            side_slip: None,
         }
         .check(place);
         let wheel = checked.as_ref().map(|checked| &checked.operation.system.wheel);

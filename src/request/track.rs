@@ -94,6 +94,7 @@ impl TrackDto {
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
             braking: self.braking(),
+            side_slip: None,
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
         };
         let sound = |entry: Entry<'_, f64>| if entry.is_present() { entry.checked(place).map(Some) } else { Some(None) };

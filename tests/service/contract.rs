@@ -6,7 +6,7 @@ use crate::asking::{get, letter, post, query_of, with};
 use crate::documents::{document, operations, with_a_name};
 
 /// Whether `value` has the shape that the document gives to a schema.
-fn has_shape(document: &Value, schema: &Value, value: &Value) {
+pub(crate) fn has_shape(document: &Value, schema: &Value, value: &Value) {
     let mut schema = schema.clone();
     schema["components"] = document["components"].clone();
     let validator = jsonschema::draft202012::new(&schema).expect("a schema");

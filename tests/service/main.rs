@@ -17,6 +17,7 @@ mod query;
 mod readme;
 mod resistances;
 mod server;
+mod side_force;
 mod slip_sweep;
 mod stress_profile;
 mod towed;

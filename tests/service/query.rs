@@ -22,8 +22,12 @@ fn bodies() -> Vec<(&'static str, Value)> {
     let linear = json!({"sinkage_m": null, "static_sinkage_m": 0.01, "slip_sinkage": {"law": "linear", "gain": 0.5}});
     let rule = json!({"contact": {"rule": "wong_reece", "c1": 0.4, "c2": 0.1, "c3": -0.05}});
     let range = json!({"slip": {"from": -1, "to": 1, "points": 21}});
+    let sideways = json!({"slip_angle_rad": -0.1, "shear_coupling": "coupled", "bulldozing": "mobilised",
+        "soil": {"unit_weight_n_m3": 15_000, "lateral_shear_modulus_m": 0.004}});
     vec![
         ("/v1/forces", letter()),
+        ("/v1/forces", with(&letter(), sideways.clone())),
+        ("/v1/slip-sweep", with(&with(&letter(), sideways), json!({"slip": range["slip"]}))),
         ("/v1/forces", solved.clone()),
         ("/v1/forces", exact),
         ("/v1/forces", moving.clone()),

@@ -100,11 +100,20 @@ fn every_code_is_listed_with_its_range_and_source() {
         "slip_sinkage_extrapolated",
         "negative_cohesive_modulus",
         "low_gravity",
+        "bulldozing_not_mobilised",
     ] {
         let warning = of(code);
         assert!(warning["source"].is_string() && (warning["lower"].is_number() || warning["upper"].is_number()), "{code}");
     }
-    for code in ["lug_height_assumed", "integration_error", "load_residual", "mirrored", "no_solution", "points_raised"] {
+    for code in [
+        "lug_height_assumed",
+        "integration_error",
+        "load_residual",
+        "mirrored",
+        "no_solution",
+        "points_raised",
+        "bulldozing_left_out",
+    ] {
         assert!(of(code)["meaning"].is_string());
     }
 }

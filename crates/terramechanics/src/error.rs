@@ -30,6 +30,7 @@ pub enum Parameter {
     PeakSlipGain,
     ExitRatio,
     Slip,
+    SlipAngle,
     ForwardVelocity,
     AngularVelocity,
     Sinkage,
@@ -194,6 +195,8 @@ pub enum Error {
     },
     /// A closed form was asked of a contact of two zones, at whose peak no shear stress acts.
     ClosedFormOfTwoZones,
+    /// The force across was asked of a contact of two zones, for which no law is known.
+    SlipAngleOfTwoZones,
     /// No skid was found at which the wheel carries the load without a torque.
     NotFreeRolling {
         /// The load asked for (N).
@@ -296,6 +299,9 @@ impl fmt::Display for Error {
             ),
             Self::ClosedFormOfTwoZones => {
                 write!(f, "two zones have no closed form: no shear stress acts at their peak; the quadrature takes them")
+            }
+            Self::SlipAngleOfTwoZones => {
+                write!(f, "two zones take no slip angle: no law for the force across such a wheel is known; one zone takes it")
             }
             Self::NotFreeRolling { load, slip, torque } => write!(
                 f,

@@ -9,7 +9,8 @@
 //!
 //! The way through: a [`Wheel`], a [`Soil`] and a [`Contact`] make a [`WheelOnSoil`]; at a [`Slip`] it is [`Rolling`]; at a
 //! sinkage it has a [`ContactPatch`], on which a [`ForceModel`] finds [`Forces`]. [`Operation`] goes this way in one call
-//! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips.
+//! for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips. A wheel that
+//! moves at an angle to its plane has a [`SideSlip`] in its [`Method`], and a [`SideForce`] in its forces.
 //!
 //! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
 //! [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical estimates for a load, and a
@@ -22,6 +23,7 @@ mod coupled;
 mod error;
 mod events;
 mod forces;
+mod lateral;
 mod load;
 mod numerics;
 mod operation;
@@ -45,6 +47,7 @@ pub use coupled::{Coupled, CoupledForces};
 pub use error::{Error, Fault, InvalidInput, Parameter, Requirement};
 pub use events::{Event, EventKind, Thresholds};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
+pub use lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SlipAngle};
 pub use load::CarriedLoad;
 pub use operation::{OperatingPoint, Operation, Sinkage};
 pub use pressure_sinkage::{Bekker, Diameter, Direct, PressureSinkage, Reece, SinkageExponent};
@@ -55,7 +58,7 @@ pub use slip::{Heading, Motion, Slip, Velocities};
 pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};
 pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
-pub use sweep::{Gap, SlipSweep};
+pub use sweep::{Gap, SideColumns, SlipSweep};
 pub use towed::Towed;
 pub use track::{CautionTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};

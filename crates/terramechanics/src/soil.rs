@@ -130,6 +130,18 @@ impl Soil {
         self.params.shear.mobilisation(displacement * self.per_shear_scale)
     }
 
+    /// Reciprocal of the displacement by which the shear law scales along the wheel (1/m).
+    #[inline]
+    pub(crate) fn per_shear_scale(&self) -> f64 {
+        self.per_shear_scale
+    }
+
+    /// The same across the wheel (1/m).
+    #[inline]
+    pub(crate) fn per_lateral_modulus(&self) -> f64 {
+        1.0 / self.lateral_shear_modulus()
+    }
+
     /// Displacement (m) over which the shear law changes.
     pub(crate) fn shear_scale(&self) -> f64 {
         self.params.shear.scale()

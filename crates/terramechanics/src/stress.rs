@@ -109,6 +109,13 @@ impl Rolling<'_> {
         })
     }
 
+    /// θ* (rad): the rim of a braking wheel slips forwards over the soil between −θ* and θ*, where cos θ > 1/κ, and backwards
+    /// elsewhere; that of a driving wheel backwards throughout, and least at θ* = 0.
+    pub(crate) fn turning(&self) -> f64 {
+        // arccos(1 + s), written for small slip.
+        2.0 * (-0.5 * self.slip.ratio().min(0.0)).sqrt().asin()
+    }
+
     /// Sinkages (m) between which the wheel can have a contact: the lower one, not itself one of them, is 0 unless two zones
     /// take a depth of their own.
     pub(crate) fn sinkages(&self) -> (f64, f64) {
@@ -162,6 +169,14 @@ pub(crate) struct RimPoint {
     pub(crate) sin: f64,
     /// cos θ.
     pub(crate) cos: f64,
+}
+
+impl RimPoint {
+    /// The arc δ = θ1 − θ (rad) behind the entry.
+    #[inline]
+    pub(crate) fn arc(&self) -> f64 {
+        2.0 * self.half_arc
+    }
 }
 
 /// Stresses at one place of the rim.
@@ -230,11 +245,18 @@ impl ContactPatch<'_> {
     /// j = r [(1 − κ) δ + κ (δ − sin θ1 + sin θ)], and δ − sin θ1 + sin θ = 2 (x − sin x) + 2 sin x (1 − cos a): neither
     /// bracket cancels.
     #[inline]
-    fn displacement(&self, point: &RimPoint) -> f64 {
+    pub(crate) fn displacement(&self, point: &RimPoint) -> f64 {
         let Rolling { velocity_ratio, velocity_complement, .. } = *self.rolling;
         2.0 * self.rolling.system.wheel.radius()
             * (velocity_complement * point.half_arc
                 + velocity_ratio * (point.excess + point.sin_half_arc * point.one_minus_cos_middle))
+    }
+
+    /// Speed 1 − κ cos θ (–) of a place of the rim against the soil, backwards, over rω, for a turning wheel.
+    #[inline]
+    pub(crate) fn slip_velocity(&self, point: &RimPoint) -> f64 {
+        let Rolling { velocity_ratio, velocity_complement, .. } = *self.rolling;
+        velocity_complement + velocity_ratio * (point.sin * point.sin / (1.0 + point.cos))
     }
 
     /// E (–) at a place of the rim.
@@ -317,8 +339,7 @@ impl ContactPatch<'_> {
         if slip.is_driving() || slip.is_locked() {
             return reversals;
         }
-        // θ* = arccos(1 + s), written for small slip.
-        let turning = 2.0 * (-0.5 * slip.ratio()).sqrt().asin();
+        let turning = self.rolling.turning();
         if self.has_two_zones() {
             self.push_reversal_between(-turning, exit, &mut reversals); // j falls from θ0 on, until it turns
             return reversals;

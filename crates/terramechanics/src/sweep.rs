@@ -1,6 +1,8 @@
 //! How do the forces change with slip? The same operation at many slips, as columns.
 
 use crate::error::Error;
+use crate::forces::Method;
+use crate::lateral::SideForce;
 use crate::operation::Operation;
 use crate::slip::{Heading, Slip};
 
@@ -11,6 +13,35 @@ pub struct Gap {
     pub row: usize,
     /// Why it has none.
     pub error: Error,
+}
+
+/// Forces across the wheel over slip, as columns of one length; NaN where a row has no answer.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SideColumns {
+    /// Lateral force F_y (N).
+    pub lateral: Vec<f64>,
+    /// Overturning moment M_x (N·m).
+    pub overturning_moment: Vec<f64>,
+    /// Aligning moment M_z (N·m).
+    pub aligning_moment: Vec<f64>,
+    /// Share of the pressure on the side wall that is mobilised (–).
+    pub mobilised_share: Vec<f64>,
+}
+
+impl SideColumns {
+    fn clear(&mut self) {
+        for column in [&mut self.lateral, &mut self.overturning_moment, &mut self.aligning_moment, &mut self.mobilised_share] {
+            column.clear();
+        }
+    }
+
+    fn push(&mut self, side: Option<SideForce>) {
+        let value = |value: fn(&SideForce) -> f64| side.as_ref().map_or(f64::NAN, value);
+        self.lateral.push(value(|side| side.lateral));
+        self.overturning_moment.push(value(|side| side.overturning_moment));
+        self.aligning_moment.push(value(|side| side.aligning_moment));
+        self.mobilised_share.push(value(|side| side.mobilised_share));
+    }
 }
 
 /// Forces over slip, as columns of one length.
@@ -42,6 +73,8 @@ pub struct SlipSweep {
     pub tractive_efficiency: Vec<f64>,
     /// Estimate of the relative error of the integrals (–).
     pub integration_error: Vec<f64>,
+    /// The forces across the wheel; empty where no slip angle was asked for.
+    pub side: SideColumns,
     /// Rows without an answer, ascending.
     pub gaps: Vec<Gap>,
 }
@@ -61,12 +94,18 @@ impl SlipSweep {
     /// The same into columns that are there already, without allocating where they are long enough.
     pub fn fill(&mut self, operation: &Operation, slips: &[Slip]) {
         self.gaps.clear();
+        self.side.clear();
+        let side_slipping = matches!(operation.model.method, Method::SideSlipping(_));
         for column in self.columns_mut() {
             column.clear();
             column.reserve(slips.len());
         }
         for (row, &slip) in slips.iter().enumerate() {
-            let values = match operation.at(slip) {
+            let point = operation.at(slip);
+            if side_slipping {
+                self.side.push(point.as_ref().ok().and_then(|point| point.forces.side));
+            }
+            let values = match point {
                 Ok(point) => {
                     let forces = &point.forces;
                     let parts = &forces.components;

@@ -44,6 +44,7 @@ impl IdentifyDto {
             normal_stress_radius: self.normal_stress_radius(),
             peak_sinkage: self.peak_sinkage(),
             braking: Entry { name: "braking", field: &absent_word, spec: &operation::BRAKING },
+            side_slip: None,
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
         }
         .check(place);

@@ -25,6 +25,9 @@ const LARGEST_INTEGRATION_ERROR: f64 = 1e-9;
 /// Residual of the load balance over the load above which a result says so.
 const LARGEST_LOAD_RESIDUAL: f64 = 1e-9;
 
+/// Share of the pressure on the side wall below which all of it is more than twice what is there.
+const SMALLEST_MOBILISED_SHARE: f64 = 0.5;
+
 pub(crate) static SMALL_WHEEL: CautionKind = CautionKind {
     code: "small_wheel",
     meaning: "Bekker's law was made for large plates and wheels; under small wheels it errs, the law `diameter` corrects for it",
@@ -156,4 +159,23 @@ pub(crate) static PEAK_RULE_SET_ASIDE: CautionKind = CautionKind {
     meaning: "a braking wheel with two zones has its largest stress where they part; the contact's own rule for that angle is not \
               used at negative slip",
     range: None,
+};
+
+pub(crate) static BULLDOZING_LEFT_OUT: CautionKind = CautionKind {
+    code: "bulldozing_left_out",
+    meaning: "the soil has no unit weight, so the lateral force lacks the soil bulldozed by the side wall",
+    range: None,
+};
+
+pub(crate) static BULLDOZING_NOT_MOBILISED: CautionKind = CautionKind {
+    code: "bulldozing_not_mobilised",
+    meaning: "all of the pressure on the side wall is counted, as published, though the wheel moves too little sideways to \
+              mobilise half of it",
+    range: Some(TestedRange {
+        quantity: "mobilised share of the pressure on the side wall (–)",
+        lower: Some(SMALLEST_MOBILISED_SHARE),
+        upper: None,
+        source: "derived here, not published: the share that the shear law mobilises at the sideways displacement; the half is a \
+                 choice",
+    }),
 };

@@ -10,6 +10,8 @@ pub(crate) use kinds::*;
 use std::fmt;
 
 use crate::error::Digits;
+use crate::forces::Method;
+use crate::lateral::Bulldozing;
 use crate::operation::{OperatingPoint, Operation, Sinkage};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::slip::Slip;
@@ -59,18 +61,26 @@ pub struct Outcome {
     pub normal: Option<f64>,
     /// Estimate of the relative error of the integrals (–).
     pub integration_error: f64,
+    /// Share of the pressure on the side wall that is mobilised (–), where a slip angle was asked for.
+    pub mobilised_share: Option<f64>,
 }
 
 impl From<&OperatingPoint> for Outcome {
     fn from(point: &OperatingPoint) -> Self {
         let OperatingPoint { slip, sinkage, forces, .. } = point;
-        Self { slip: *slip, sinkage: *sinkage, normal: Some(forces.normal), integration_error: forces.integration_error }
+        Self {
+            slip: *slip,
+            sinkage: *sinkage,
+            normal: Some(forces.normal),
+            integration_error: forces.integration_error,
+            mobilised_share: forces.side.map(|side| side.mobilised_share),
+        }
     }
 }
 
 impl Caution {
     /// Everything that is watched.
-    pub const KINDS: [&'static CautionKind; 14] = [
+    pub const KINDS: [&'static CautionKind; 16] = [
         &SMALL_WHEEL,
         &DEEP_SINKAGE,
         &SLIP_BEYOND_FIT,
@@ -85,6 +95,8 @@ impl Caution {
         &NEGATIVE_NORMAL_STRESS,
         &SINKAGE_BEYOND_ESTIMATES,
         &SLIP_GAIN_UNUSED,
+        &BULLDOZING_LEFT_OUT,
+        &BULLDOZING_NOT_MOBILISED,
     ];
 
     /// How far the value is outside the range, in the unit of the quantity.
@@ -145,6 +157,15 @@ pub(crate) fn pressure_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Ca
     [small, narrow].into_iter().flatten()
 }
 
+/// The cautions that apply to the force across a wheel.
+fn side_cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> + use<> {
+    let Method::SideSlipping(side) = operation.model.method else { return [None, None].into_iter().flatten() };
+    let left_out = side.angle.angle() != 0.0 && operation.system.soil.unit_weight().is_none();
+    let counted = if side.bulldozing == Bulldozing::Full { outcome.mobilised_share } else { None };
+    let not_mobilised = counted.and_then(|share| BULLDOZING_NOT_MOBILISED.of(share));
+    [BULLDOZING_LEFT_OUT.when(left_out), not_mobilised].into_iter().flatten()
+}
+
 /// The cautions that apply to the outcome of `operation`.
 pub fn cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> {
     let Operation { system, sinkage, .. } = operation;
@@ -166,5 +187,6 @@ pub fn cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item 
         INTEGRATION_ERROR.of(outcome.integration_error),
         LOAD_RESIDUAL.of(residual),
     ];
-    pressure_cautions(system).chain(system_cautions(system)).chain(of_outcome.into_iter().flatten())
+    let across = side_cautions(operation, outcome);
+    pressure_cautions(system).chain(system_cautions(system)).chain(of_outcome.into_iter().flatten()).chain(across)
 }

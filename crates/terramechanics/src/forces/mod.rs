@@ -9,12 +9,15 @@
 
 mod explicit;
 mod linearised;
+mod panels;
 mod quadrature;
 mod shape;
+mod side;
 
 pub use shape::ShapeIntegrals;
 
 use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::lateral::{SideForce, SideSlip};
 use crate::slip::{Heading, Slip};
 use crate::stress::{ContactPatch, Stresses};
 use crate::wheel::Wheel;
@@ -62,6 +65,8 @@ impl NormalStressRadius {
 pub enum Method {
     /// Eq. (10), integrated numerically.
     Quadrature,
+    /// The same for a wheel that moves at an angle to its plane, with the force across it.
+    SideSlipping(SideSlip),
     /// Eqs. (11), (12): stresses linear from the exit to the peak and from there to the entry.
     Linearised {
         /// Depth under the peak.
@@ -112,7 +117,7 @@ impl ForceModel {
     ///
     /// # Errors
     /// [`Error::Invalid`] for a λ that is not finite, [`Error::ClosedFormOfTwoZones`] for a closed form of a braking wheel
-    /// with two zones, [`Error::NotFinite`] where a result overflows.
+    /// with two zones, [`Error::SlipAngleOfTwoZones`] for a slip angle of one, [`Error::NotFinite`] where a result overflows.
     ///
     /// ```
     /// use terramechanics::*;
@@ -144,6 +149,10 @@ impl ForceModel {
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<Forces, Error> {
         let forces = match self.method {
             Method::Quadrature => quadrature::forces(self, patch),
+            Method::SideSlipping(side) if patch.has_two_zones() && side.angle.angle() != 0.0 => {
+                return Err(Error::SlipAngleOfTwoZones);
+            }
+            Method::SideSlipping(side) => side::forces(self, patch, &side),
             Method::Linearised { .. } | Method::Explicit { .. } if patch.has_two_zones() => {
                 return Err(Error::ClosedFormOfTwoZones);
             }
@@ -187,6 +196,8 @@ pub struct Forces {
     pub torque: f64,
     /// The four parts.
     pub components: Components,
+    /// The force across the wheel, where a slip angle was asked for.
+    pub side: Option<SideForce>,
     /// Estimate of the relative error of the integrals by quadrature, on the scale of the parts; 0 for the closed forms,
     /// which have none.
     pub integration_error: f64,
@@ -200,6 +211,7 @@ impl Forces {
             normal: normal_support + shear_support, // Eqs. (10b), (11b): the sum (erratum 4)
             torque,
             components,
+            side: None,
             integration_error,
         }
     }
@@ -207,7 +219,7 @@ impl Forces {
     fn is_finite(&self) -> bool {
         let Components { traction, resistance, normal_support, shear_support } = self.components;
         let all = [traction, resistance, normal_support, shear_support, self.longitudinal, self.normal, self.torque];
-        all.iter().all(|value| value.is_finite())
+        all.iter().all(|value| value.is_finite()) && self.side.is_none_or(|side| side.is_finite())
     }
 
     /// Scale on which the longitudinal force is accurate, |traction| + |resistance| (N): it is their difference.
@@ -222,7 +234,7 @@ impl Forces {
         self.components.normal_support.abs() + self.components.shear_support.abs()
     }
 
-    /// The forces of the wheel moving in `heading`: moving backward, those along x and the torque change sign.
+    /// The forces of the wheel moving in `heading`: moving backward, those along x, the torque and M_z change sign.
     #[must_use]
     pub fn heading(self, heading: Heading) -> Self {
         match heading {
@@ -235,6 +247,7 @@ impl Forces {
                     resistance: -self.components.resistance,
                     ..self.components
                 },
+                side: self.side.map(SideForce::mirrored),
                 ..self
             },
         }

@@ -15,25 +15,14 @@
 //!
 //! The same points tell how well the stresses are resolved (their highest two Legendre coefficients). Where that is not
 //! enough – a shear modulus thousands of times smaller than the wheel, an exponent near 0 – the worst panel is halved,
-//! at most [`PANELS`] times; the error estimate says what was reached.
+//! at most [`PANELS`](super::panels::PANELS) times; the error estimate says what was reached.
 
-use std::ops::Range;
-
+use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
 use super::{Components, ForceModel, Forces};
 use crate::braking::Zones;
 use crate::contact::Angles;
 use crate::numerics::gauss_legendre::{NODES, Node};
 use crate::stress::{ContactPatch, RimPoint};
-
-/// Panels after which no more are halved.
-const PANELS: usize = 48;
-
-/// Panels to begin with at the most: parted by a layer of shear and two reversals, or by three layers and a reversal.
-const FEW_OF_ONE_ZONE: usize = 4;
-const FEW_OF_TWO_ZONES: usize = 5;
-
-/// Ends of so many panels.
-const MOST_EDGES: usize = FEW_OF_TWO_ZONES + 1;
 
 /// Layers of [`ContactPatch::shear_layer`] after which E is saturated: e^−20 = 2e-9 of a small share is left.
 const LAYERS: f64 = 20.0;
@@ -44,21 +33,26 @@ const THIN: f64 = 0.7;
 /// Place in u behind which a layer at the peak has to begin, to be split off.
 const LATE: f64 = 0.7;
 
-/// Relative error at which refining stops.
-const TOLERANCE: f64 = 1e-10;
-
-/// Rounding left in any sum of this length.
-const ROUNDING: f64 = 2e-15;
-
 pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>) -> Forces {
-    let wheel = &patch.rolling.system.wheel;
+    let rim = Rim::of(patch);
     let integrals = match patch.zones() {
-        None => integrate::<_, FEW_OF_ONE_ZONE>(&Rim::of(patch, OneZone(patch))),
-        Some(zones) => integrate_zones(patch, &zones),
+        None => integrals::<_, { OneZone::FEW }>(&rim, &OneZone(patch)),
+        Some(zones) => integrals_of_two_zones(&rim, &zones),
     };
+    forces_of(model, patch, &integrals)
+}
+
+/// The forces of a contact whose shear stress follows a law of its own.
+pub(super) fn forces_by<S: Shearing, const FEW: usize>(model: &ForceModel, rim: &Rim<'_>, shearing: &S) -> Forces {
+    forces_of(model, rim.patch, &integrals::<S, FEW>(rim, shearing))
+}
+
+#[inline]
+fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Sums) -> Forces {
+    let wheel = &patch.rolling.system.wheel;
     let normal = model.normal_stress_radius(wheel) * wheel.width();
     let shear = wheel.shearing_radius() * wheel.width();
-    let Sums { normal_cos, normal_sin, shear_cos, shear_sin, shear_plain, .. } = integrals;
+    let Sums { normal_cos, normal_sin, shear_cos, shear_sin, shear_plain, .. } = *integrals;
     let components = Components {
         traction: shear * shear_cos,
         resistance: normal * normal_sin,
@@ -66,6 +60,18 @@ pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>) -> Forces {
         shear_support: shear * shear_sin,
     };
     Forces::new(components, wheel.shearing_radius() * shear * shear_plain, integrals.relative_error())
+}
+
+/// The integrals, from at most `FEW` panels to begin with.
+fn integrals<S: Shearing, const FEW: usize>(rim: &Rim<'_>, shearing: &S) -> Sums {
+    integrate::<_, FEW>(&shearing.edges(rim), |from, to| rim.panel(shearing, from, to))
+}
+
+/// The integrals of a contact of two zones. Apart, so that other contacts do not carry its code along.
+#[cold]
+#[inline(never)]
+fn integrals_of_two_zones(rim: &Rim<'_>, zones: &Zones) -> Sums {
+    integrals::<_, { TwoZones::FEW }>(rim, &TwoZones(rim.patch, zones))
 }
 
 /// Sums over a panel, or over all of them.
@@ -92,6 +98,14 @@ struct Sums {
 }
 
 impl Sums {
+    fn estimate_errors(&mut self) {
+        self.normal_error = error_of(self.normal_null, self.normal_cos);
+        self.shear_error = error_of(self.shear_null, self.shear_size);
+    }
+}
+
+impl Resolved for Sums {
+    #[inline]
     fn add(&mut self, other: &Self) {
         self.normal_cos += other.normal_cos;
         self.normal_sin += other.normal_sin;
@@ -103,98 +117,33 @@ impl Sums {
         self.shear_error += other.shear_error;
     }
 
-    /// Error from the null sums: the rule's own error falls about as their square, taken as the power 1.5 so that it is not
-    /// underestimated where the coefficients decay slowly.
-    fn estimate_errors(&mut self) {
-        let estimate = |null: [f64; 2], size: f64| {
-            let share = 10.0 * null[0].hypot(null[1]) / size;
-            if size > 0.0 { size * share * share.sqrt() } else { 0.0 }
-        };
-        self.normal_error = estimate(self.normal_null, self.normal_cos);
-        self.shear_error = estimate(self.shear_null, self.shear_size);
-    }
-
+    #[inline]
     fn relative_error(&self) -> f64 {
         let share = |error: f64, size: f64| if size > 0.0 { error / size } else { 0.0 };
         ROUNDING + share(self.normal_error, self.normal_cos).max(share(self.shear_error, self.shear_size))
     }
-}
 
-/// A range of u and the sums over it.
-#[derive(Clone, Copy, Default)]
-struct Panel {
-    from: f64,
-    to: f64,
-    sums: Sums,
-}
-
-/// The integrals, from at most `FEW` panels to begin with.
-fn integrate<S: Shearing, const FEW: usize>(rim: &Rim<'_, S>) -> Sums {
-    let (edges, count) = rim.edges();
-    let mut few = [Panel::default(); FEW];
-    let panels = &mut few[..count - 1];
-    for (panel, edge) in panels.iter_mut().zip(edges.windows(2)) {
-        *panel = rim.panel(edge[0], edge[1]);
-    }
-    let total = total(panels);
-    if total.relative_error() <= TOLERANCE { total } else { refine(rim, panels) }
-}
-
-/// The integrals of a contact of two zones. Apart, so that other contacts do not carry its code along.
-#[cold]
-#[inline(never)]
-fn integrate_zones(patch: &ContactPatch<'_>, zones: &Zones) -> Sums {
-    integrate::<_, FEW_OF_TWO_ZONES>(&Rim::of(patch, TwoZones(patch, zones)))
-}
-
-fn total(panels: &[Panel]) -> Sums {
-    let mut total = panels[0].sums;
-    for panel in &panels[1..] {
-        total.add(&panel.sums);
-    }
-    total
-}
-
-/// Halves the worst panel until the error is small enough or there are [`PANELS`]. Apart, because few contacts need it.
-#[cold]
-fn refine<S: Shearing>(rim: &Rim<'_, S>, coarse: &[Panel]) -> Sums {
-    let mut panels = [Panel::default(); PANELS];
-    panels[..coarse.len()].copy_from_slice(coarse);
-    let mut used = coarse.len();
-    loop {
-        let total = total(&panels[..used]);
-        if total.relative_error() <= TOLERANCE || used == PANELS {
-            return total;
-        }
-        let share = |panel: &Panel| {
-            let Sums { normal_error, shear_error, .. } = panel.sums;
-            (normal_error / total.normal_cos).max(shear_error / total.shear_size.max(f64::MIN_POSITIVE))
-        };
-        let mut worst = 0;
-        for i in 1..used {
-            if share(&panels[i]) > share(&panels[worst]) {
-                worst = i;
-            }
-        }
-        let Panel { from, to, .. } = panels[worst];
-        let middle = 0.5 * (from + to);
-        panels[worst] = rim.panel(from, middle);
-        panels[used] = rim.panel(middle, to);
-        used += 1;
+    fn error_share(&self, total: &Self) -> f64 {
+        (self.normal_error / total.normal_cos).max(self.shear_error / total.shear_size.max(f64::MIN_POSITIVE))
     }
 }
 
 /// How the soil is sheared on the two sides of the peak. A type of its own for each law, so that neither pays for the other.
-trait Shearing {
+pub(super) trait Shearing {
     /// E at a place ahead of the peak, and at one behind it.
     fn ahead(&self, point: &RimPoint) -> f64;
     fn behind(&self, point: &RimPoint) -> f64;
 
-    /// Tells `split` the places in t at which thin layers of shear end, and the value of u that each has to be below or above.
-    fn split_layers(&self, front: f64, rear: f64, split: impl FnMut(f64, Range<f64>));
+    /// Ends of the panels: the ends of thin layers of shear, and the places where E is not smooth.
+    fn edges(&self, rim: &Rim<'_>) -> Edges;
 }
 
 struct OneZone<'a>(&'a ContactPatch<'a>);
+
+impl OneZone<'_> {
+    /// Panels to begin with at the most: parted by a layer of shear and two reversals.
+    const FEW: usize = 4;
+}
 
 impl Shearing for OneZone<'_> {
     #[inline(always)]
@@ -208,12 +157,20 @@ impl Shearing for OneZone<'_> {
     }
 
     #[inline(always)]
-    fn split_layers(&self, front: f64, _rear: f64, mut split: impl FnMut(f64, Range<f64>)) {
-        split(LAYERS * self.0.shear_layer() / front, 0.0..THIN);
+    fn edges(&self, rim: &Rim<'_>) -> Edges {
+        let mut edges = Edges::new();
+        rim.split_layer(&mut edges, self.0.shear_layer());
+        rim.split_reversals(&mut edges);
+        edges.close()
     }
 }
 
 struct TwoZones<'a>(&'a ContactPatch<'a>, &'a Zones);
+
+impl TwoZones<'_> {
+    /// Panels to begin with at the most: parted by three layers of shear and a reversal.
+    const FEW: usize = 5;
+}
 
 impl Shearing for TwoZones<'_> {
     fn ahead(&self, point: &RimPoint) -> f64 {
@@ -224,53 +181,54 @@ impl Shearing for TwoZones<'_> {
         self.1.mobilisation_behind(self.0, point)
     }
 
-    fn split_layers(&self, front: f64, rear: f64, mut split: impl FnMut(f64, Range<f64>)) {
-        let [entry, ahead, behind] = self.1.shear_layers(self.0).map(|layer| LAYERS * layer);
-        split(entry / front, 0.0..THIN);
-        split(1.0 - ahead / front, LATE..1.0);
-        split(1.0 - behind / rear, LATE..1.0);
+    fn edges(&self, rim: &Rim<'_>) -> Edges {
+        let mut edges = Edges::new();
+        let [entry, ahead, behind] = self.1.shear_layers(self.0);
+        rim.split_layer(&mut edges, entry);
+        edges.split(1.0 - LAYERS * ahead / rim.front, LATE..1.0);
+        edges.split(1.0 - LAYERS * behind / rim.rear, LATE..1.0);
+        rim.split_reversals(&mut edges);
+        edges.close()
     }
 }
 
 /// The arcs of a contact.
-struct Rim<'a, S> {
-    patch: &'a ContactPatch<'a>,
-    shearing: S,
+pub(super) struct Rim<'a> {
+    pub(super) patch: &'a ContactPatch<'a>,
     /// θ1 − θm, θm − θ2 and θ1 − θ2.
-    front: f64,
-    rear: f64,
-    whole: f64,
+    pub(super) front: f64,
+    pub(super) rear: f64,
+    pub(super) whole: f64,
 }
 
-impl<'a, S: Shearing> Rim<'a, S> {
-    fn of(patch: &'a ContactPatch<'a>, shearing: S) -> Self {
+impl<'a> Rim<'a> {
+    pub(super) fn of(patch: &'a ContactPatch<'a>) -> Self {
         let Angles { entry, peak, exit } = patch.angles;
-        Self { patch, shearing, front: entry - peak, rear: peak - exit, whole: entry - exit }
+        Self { patch, front: entry - peak, rear: peak - exit, whole: entry - exit }
     }
 
-    /// Ends of the panels in u, ascending: 0, the ends of thin layers of shear, the places where j changes sign, 1.
-    fn edges(&self) -> ([f64; MOST_EDGES], usize) {
-        let mut edges = [0.0; MOST_EDGES];
-        let mut count = 1;
-        let mut split = |t: f64, within: Range<f64>| {
-            let u = t.sqrt().sqrt();
-            if u > within.start && u < within.end {
-                edges[count] = u;
-                count += 1;
-            }
-        };
-        self.shearing.split_layers(self.front, self.rear, &mut split);
+    /// An end behind a layer of that arc (rad) at the entry, if it is thin.
+    #[inline]
+    pub(super) fn split_layer(&self, edges: &mut Edges, layer: f64) {
+        edges.split(LAYERS * layer / self.front, 0.0..THIN);
+    }
+
+    /// An end at an arc (rad) behind the entry.
+    #[inline]
+    pub(super) fn split(&self, edges: &mut Edges, arc: f64) {
+        edges.split(if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear }, 0.0..1.0);
+    }
+
+    /// Ends at the places where j changes sign.
+    #[inline]
+    pub(super) fn split_reversals(&self, edges: &mut Edges) {
         for &arc in self.patch.shear_reversals().arcs() {
-            split(if arc <= self.front { arc / self.front } else { (self.whole - arc) / self.rear }, 0.0..1.0);
+            self.split(edges, arc);
         }
-        edges[count] = 1.0;
-        count += 1;
-        edges[..count].sort_unstable_by(f64::total_cmp);
-        (edges, count)
     }
 
-    fn panel(&self, from: f64, to: f64) -> Panel {
-        let Self { patch, ref shearing, front: front_arc, rear: rear_arc, whole } = *self;
+    fn panel<S: Shearing>(&self, shearing: &S, from: f64, to: f64) -> Sums {
+        let Self { patch, front: front_arc, rear: rear_arc, whole } = *self;
         let length = to - from;
         let mut sums = Sums::default();
         for Node { place, weight, null } in &NODES {
@@ -300,6 +258,6 @@ impl<'a, S: Shearing> Rim<'a, S> {
             sums.shear_null[1] += both_shear * higher;
         }
         sums.estimate_errors();
-        Panel { from, to, sums }
+        sums
     }
 }

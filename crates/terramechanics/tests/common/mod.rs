@@ -51,6 +51,7 @@ pub(crate) fn cases(text: &str) -> Vec<Value> {
 }
 
 pub(crate) const REFERENCE_CASES: &str = include_str!("../fixtures/reference_cases.json");
+pub(crate) const SIDE_FORCE_CASES: &str = include_str!("../reference/side_force_cases.json");
 pub(crate) const EDGE_CASES: &str = include_str!("../reference/edge_cases.json");
 
 /// A number of a case, or what it is where the case leaves it out.
@@ -93,7 +94,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
             shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: required(soil, "shear_modulus_m") }),
             pressure_sinkage,
             unit_weight: soil.get("unit_weight_n_m3").and_then(Value::as_f64),
-            lateral_shear_modulus: None,
+            lateral_shear_modulus: soil.get("lateral_shear_modulus_m").and_then(Value::as_f64),
         },
         contact(peak_rule, number(rule, "c3", 0.0)),
     )

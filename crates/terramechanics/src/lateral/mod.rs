@@ -1,0 +1,170 @@
+//! What does the soil do to a wheel that moves at an angle to its own plane?
+//!
+//! Axes: x ahead in the plane of the wheel, y to its left, z up, origin at the axle. Forces and moments are those of the
+//! soil on the wheel; a moment is positive by the right-hand rule about its axis.
+//!
+//! Signs. The slip angle β is counted from the velocity to the heading, counterclockwise seen from above: at β > 0 the wheel
+//! moves to its right, v_y = −|v_x| tan β. The lateral force opposes the sideways motion, so F_y has the sign of β, as it is
+//! printed by Ishigami.
+//!
+//! What a place of the rim does to the soil. With κ = v_x/(rω), it moves against the soil at rω (1 − κ cos θ) backwards
+//! along the rim and at rω κ tan β sideways. It came in at θ1 a time (θ1 − θ)/ω ago, so it has gone sideways by
+//! j_y = r κ (θ1 − θ) tan β. A driving wheel has κ = 1 − s, which is the printed formula; a braking one 1/(1 + s), as its
+//! displacement along the rim has. As the letter's j, both carry the rim radius, also with lugs.
+//!
+//! | part | here |
+//! |---|---|
+//! | lateral shear stress and side wall (Ishigami et al. 2005, 2007) | `ishigami` |
+//! | one shear stress along the slip velocity (Pavlov & Johnson 2024) | `coupled` |
+
+mod coupled;
+mod ishigami;
+
+pub(crate) use ishigami::SideWall;
+
+use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::stress::{ContactPatch, RimPoint};
+
+/// Angle β (rad) from the velocity of the wheel to its heading, positive where the wheel moves to its right.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct SlipAngle {
+    angle: f64,
+    tan: f64,
+}
+
+impl SlipAngle {
+    /// A wheel that goes straight ahead.
+    pub const STRAIGHT: Self = Self { angle: 0.0, tan: 0.0 };
+
+    /// Largest size (rad). At π/2 the wheel does not move along its own plane, and neither its slip nor tan β says how fast it
+    /// moves: the bound keeps 4° away from there.
+    pub const LARGEST: f64 = 1.5;
+
+    /// Checks the angle (rad).
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] unless it is within ±[`SlipAngle::LARGEST`].
+    pub fn new(angle: f64) -> Result<Self, Error> {
+        let requirement = Requirement::Within { min: -Self::LARGEST, max: Self::LARGEST };
+        if requirement.holds(angle) {
+            Ok(Self { angle, tan: angle.tan() })
+        } else {
+            Err(Error::Invalid(Fault { parameter: Parameter::SlipAngle, value: angle, requirement }))
+        }
+    }
+
+    /// The angle β (rad).
+    #[must_use]
+    pub fn angle(self) -> f64 {
+        self.angle
+    }
+
+    /// |tan β|.
+    pub(crate) fn steepness(self) -> f64 {
+        self.tan.abs()
+    }
+
+    /// 1, −1, or 0 for a wheel that goes straight ahead: the sign of F_y.
+    pub(crate) fn sign(self) -> f64 {
+        if self.angle == 0.0 { 0.0 } else { self.angle.signum() }
+    }
+}
+
+/// How the shear stresses along and across the wheel share the strength of the soil.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShearCoupling {
+    /// Each by its own displacement, as if the other were not there: Ishigami et al. 2007. Together they may exceed the
+    /// strength, by up to √2.
+    Independent,
+    /// One stress along the slip velocity: Pavlov & Johnson 2024. It never exceeds the strength.
+    Coupled,
+}
+
+/// How much of the pressure on the side wall is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bulldozing {
+    /// All of it, however little the wall has moved: Ishigami et al. 2007. So the lateral force does not vanish with the slip
+    /// angle, nor where the wheel spins on the spot.
+    Full,
+    /// The share that the shear law mobilises at the sideways displacement j_y: a departure, which vanishes with the motion
+    /// and tends to the full pressure.
+    Mobilised,
+}
+
+/// Motion at an angle to the plane of the wheel, and what is taken to follow from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SideSlip {
+    /// The slip angle.
+    pub angle: SlipAngle,
+    /// How the shear stresses are coupled.
+    pub coupling: ShearCoupling,
+    /// How much of the pressure on the side wall is there.
+    pub bulldozing: Bulldozing,
+}
+
+impl SideSlip {
+    /// Ishigami's model at `angle`.
+    #[must_use]
+    pub fn independent(angle: SlipAngle) -> Self {
+        Self { angle, coupling: ShearCoupling::Independent, bulldozing: Bulldozing::Full }
+    }
+
+    /// E_y (–): the share of the strength that is mobilised across the wheel, without sign.
+    #[inline]
+    pub(crate) fn lateral_share(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
+        match self.coupling {
+            ShearCoupling::Independent => ishigami::lateral_share(patch, point, self.angle),
+            ShearCoupling::Coupled => coupled::shares(patch, point, self.angle).lateral,
+        }
+    }
+
+    /// E_x (–) of the coupled stress, with its sign.
+    #[inline]
+    pub(crate) fn coupled_longitudinal_share(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
+        coupled::shares(patch, point, self.angle).longitudinal
+    }
+
+    /// Share of the pressure on the side wall that is there at a place of the rim if it has to be mobilised.
+    #[inline]
+    pub(crate) fn bulldozing_share(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
+        ishigami::lateral_share(patch, point, self.angle)
+    }
+
+    /// Arc (rad) behind the entry over which the shares change.
+    pub(crate) fn layer(&self, patch: &ContactPatch<'_>) -> f64 {
+        let lateral = ishigami::layer(patch, self.angle);
+        match self.coupling {
+            ShearCoupling::Independent => lateral,
+            ShearCoupling::Coupled => 1.0 / (1.0 / lateral).hypot(1.0 / patch.shear_layer()),
+        }
+    }
+}
+
+/// Force across the wheel and its moments about the axle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SideForce {
+    /// Lateral force F_y (N), to the left.
+    pub lateral: f64,
+    /// Overturning moment M_x (N·m) about the axis ahead: r F_y, as published; it takes the force at the lowest point.
+    pub overturning_moment: f64,
+    /// Aligning moment M_z (N·m) about the axis upwards: the integral of the lateral stress with its arm.
+    pub aligning_moment: f64,
+    /// The part of F_y that the shear stress makes (N).
+    pub shear: f64,
+    /// The part of F_y that the pressure on the side wall makes (N); none where the soil's unit weight is not known.
+    pub bulldozing: Option<f64>,
+    /// Share of the full pressure on the side wall that the sideways displacement mobilises (–); 1 where there is none.
+    pub mobilised_share: f64,
+}
+
+impl SideForce {
+    /// The force on the mirror image of the wheel, which moves backward: the lever arms along x change sides.
+    #[must_use]
+    pub(crate) fn mirrored(self) -> Self {
+        Self { aligning_moment: -self.aligning_moment, ..self }
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        [self.lateral, self.overturning_moment, self.aligning_moment].iter().all(|value| value.is_finite())
+    }
+}
