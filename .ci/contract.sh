@@ -9,5 +9,5 @@ cd "$(dirname "$0")/.."
 
 export PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY=.ci/.cache/hypothesis
 # The configuration bounds the number of examples; the time limit is for a run that hangs.
-timeout 900 .ci/.cache/python/bin/schemathesis \
+timeout 1500 .ci/.cache/python/bin/schemathesis \
     --config-file .ci/contract/schemathesis.toml run "$BASE_URL/openapi.json" --phases examples,coverage,fuzzing --checks all

@@ -8,7 +8,7 @@ cd "$folder"
 
 curl -sS --fail-with-body -o curve.csv "$server/v1/slip-sweep?wheel.preset=letter&soil.preset=letter-sand\
 &soil.cohesion_pa=200&slip.from=0&slip.to=1&slip.points=101&normal_load_n=80&format=csv"
-cut -d, -f1-3 curve.csv | head -n 5
+head -n 5 curve.csv | cut -d, -f1-3
 
 # From here on the example is checked. The curve is the table that a POST answers with, and carries the load.
 curl -sS --fail-with-body -o posted.csv -H 'Content-Type: application/json' -H 'Accept: text/csv' "$server/v1/slip-sweep" \

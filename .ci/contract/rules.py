@@ -59,6 +59,15 @@ def before_load_schema(context, raw_schema):
     schemas["Soil"] = one_of([requiring(soil, ["preset"]), with_modulus, without_modulus])
     measurements(schemas)
 
+    # Without a schema of their own, tables and lines of objects would be any text; tests of the service have them.
+    track = raw_schema["paths"]["/v1/track"]["post"]
+    del track["parameters"]
+    track["requestBody"]["content"] = {"application/json": track["requestBody"]["content"]["application/json"]}
+    for operations in raw_schema["paths"].values():
+        asked = operations.get("get", {}).get("parameters", [])
+        if any("." in parameter["name"] for parameter in asked):
+            operations["get"]["parameters"] = one_way(asked)
+
 
 def measurements(schemas):
     """Columns of one length, and fits that only ask for what every soil has beside those that ask for anything."""
@@ -75,15 +84,6 @@ def measurements(schemas):
     plain["properties"]["fit"]["items"]["enum"] = ["cohesion_pa", "friction_angle_rad", "n0", "n1"]
     plain["properties"]["fit"]["maxItems"] = 4
     schemas["IdentifyRequest"] = {"anyOf": [plain, anything]}
-
-    # Without a schema of their own, tables and lines of objects would be any text; tests of the service have them.
-    track = raw_schema["paths"]["/v1/track"]["post"]
-    del track["parameters"]
-    track["requestBody"]["content"] = {"application/json": track["requestBody"]["content"]["application/json"]}
-    for operations in raw_schema["paths"].values():
-        asked = operations.get("get", {}).get("parameters", [])
-        if any("." in parameter["name"] for parameter in asked):
-            operations["get"]["parameters"] = one_way(asked)
 
 
 def samples(columns):

@@ -37,44 +37,49 @@ pub(super) struct SoilBody {
 #[schema(as = FoundLaw)]
 enum LawBody {
     /// Bekker's.
+    #[schema(title = "FoundLaw bekker")]
     Bekker {
         k_c: f64,
         k_phi: f64,
-        #[serde(flatten)]
-        exponent: ExponentBody,
+        n0: f64,
+        n1: f64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schema(nullable = false)]
+        n2: Option<f64>,
     },
     /// A modulus as it is.
+    #[schema(title = "FoundLaw direct")]
     Direct {
         k_s: f64,
-        #[serde(flatten)]
-        exponent: ExponentBody,
+        n0: f64,
+        n1: f64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schema(nullable = false)]
+        n2: Option<f64>,
     },
     /// Reece's.
+    #[schema(title = "FoundLaw reece")]
     Reece {
         k_c: f64,
         k_phi: f64,
         unit_weight_n_m3: f64,
-        #[serde(flatten)]
-        exponent: ExponentBody,
+        n0: f64,
+        n1: f64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schema(nullable = false)]
+        n2: Option<f64>,
     },
     /// Meirion-Griffith & Spenko's.
+    #[schema(title = "FoundLaw diameter")]
     Diameter {
         k: f64,
         m: f64,
-        #[serde(flatten)]
-        exponent: ExponentBody,
+        n0: f64,
+        n1: f64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schema(nullable = false)]
+        n2: Option<f64>,
     },
-}
-
-/// The sinkage exponent.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = FoundExponent)]
-struct ExponentBody {
-    n0: f64,
-    n1: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    n2: Option<f64>,
 }
 
 /// A shear law, ready for a request.
@@ -109,14 +114,14 @@ pub(super) enum ContactBody {
 impl From<&SoilParams> for SoilBody {
     fn from(soil: &SoilParams) -> Self {
         let exponent = soil.pressure_sinkage.exponent();
-        let exponent = ExponentBody { n0: exponent.base, n1: exponent.slip_gain, n2: exponent.skid_gain };
+        let (n0, n1, n2) = (exponent.base, exponent.slip_gain, exponent.skid_gain);
         let pressure_sinkage = match soil.pressure_sinkage {
-            PressureSinkage::Bekker(law) => LawBody::Bekker { k_c: law.k_c, k_phi: law.k_phi, exponent },
-            PressureSinkage::Direct(law) => LawBody::Direct { k_s: law.k_s, exponent },
+            PressureSinkage::Bekker(law) => LawBody::Bekker { k_c: law.k_c, k_phi: law.k_phi, n0, n1, n2 },
+            PressureSinkage::Direct(law) => LawBody::Direct { k_s: law.k_s, n0, n1, n2 },
             PressureSinkage::Reece(law) => {
-                LawBody::Reece { k_c: law.k_c, k_phi: law.k_phi, unit_weight_n_m3: law.unit_weight, exponent }
+                LawBody::Reece { k_c: law.k_c, k_phi: law.k_phi, unit_weight_n_m3: law.unit_weight, n0, n1, n2 }
             }
-            PressureSinkage::Diameter(law) => LawBody::Diameter { k: law.k, m: law.m, exponent },
+            PressureSinkage::Diameter(law) => LawBody::Diameter { k: law.k, m: law.m, n0, n1, n2 },
         };
         let (shear_modulus_m, shear) = match soil.shear {
             ShearLaw::JanosiHanamoto(law) => (Some(law.modulus), None),

@@ -169,18 +169,10 @@ impl Spec for PairSpec {
     fn schema(&self) -> RefOr<Schema> {
         ArrayBuilder::new()
             .description(Some("The lower and the upper bound."))
-            .prefix_items([number_schema(&self.0), number_schema(&self.0)])
-            .items(utoipa::openapi::schema::ArrayItems::False)
+            .items(self.0.schema())
             .min_items(Some(2))
             .max_items(Some(2))
             .into()
-    }
-}
-
-fn number_schema(number: &Number) -> Schema {
-    match number.schema() {
-        RefOr::T(schema) => schema,
-        RefOr::Ref(_) => Schema::default(),
     }
 }
 
