@@ -100,6 +100,8 @@ def one_way(parameters):
     What else there is meets the same checks as in a body; tests of the service compare the two.
     """
     given = ["wheel.preset", "soil.preset", "sinkage_m", "slip", "slip.from", "slip.to", "slip.points"]
+    if "sinkage_m" not in {of["name"] for of in parameters}:
+        given.append("normal_load_n")
     others = [name for group in (SINKAGE, SLIP) for way in group for name in way if name not in given]
     others += ["braking", *SIDEWAYS]
     tagged = ("contact.", "slip_sinkage.", "soil.pressure_sinkage.", "soil.shear.")

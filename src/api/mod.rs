@@ -28,7 +28,7 @@ pub(crate) fn routes() -> OpenApiRouter<Service> {
         .routes(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .routes(routes!(compare::compare))
         .routes(routes!(coupled::coupled))
-        .routes(routes!(resistances::resistances))
+        .routes(routes!(resistances::resistances, resistances::resistances_of_query))
         .routes(routes!(towed::towed))
         .routes(routes!(identify::identify))
         .routes(routes!(identify::plates))

@@ -1,16 +1,16 @@
-//! `POST /v1/resistances`.
+//! `POST` and `GET /v1/resistances`.
 
 use axum::extract::State;
 use axum::response::Response;
 use terramechanics::Sinkage;
 
-use super::responses::{InvalidBody, Limits};
+use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
 use crate::compute::{Cost, written};
-use crate::extract::{Format, Input};
+use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ResistancesReply;
-use crate::request::ResistancesDto;
+use crate::request::{ResistancesDto, ResistancesQuery};
 
 /// Bekker's estimates of sinkage, resistances and thrust
 ///
@@ -28,6 +28,28 @@ pub(crate) async fn resistances(
     format: Format,
     Input(query): Input<ResistancesDto>,
 ) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+/// Bekker's estimates of sinkage, resistances and thrust, asked by a query
+///
+/// The twin of the POST: a field is a parameter, one inside an object has the object's name and a dot before its own
+/// (`soil.unit_weight_n_m3=15000`). The answer, the checks and the problems are those of the POST.
+#[utoipa::path(
+    get,
+    path = "/v1/resistances",
+    tag = "forces",
+    params(ResistancesDto, FormatParameter),
+    responses((status = 200, description = "Bekker's estimates of sinkage, resistances and thrust", content((ResistancesReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
+)]
+pub(crate) async fn resistances_of_query(
+    State(service): State<Service>,
+    Asked { query, format }: Asked<ResistancesDto>,
+) -> Result<Response, Problem> {
+    answer(&service, query, format).await
+}
+
+async fn answer(service: &Service, query: ResistancesQuery, format: Format) -> Result<Response, Problem> {
     let work = move || {
         let sinkage = Sinkage::CarryingLoad(query.normal_load);
         let reply = ResistancesReply::try_from(&query).map_err(|error| Problem::refused(&error, &sinkage))?;

@@ -56,6 +56,7 @@ fn the_document_has_the_routes_of_the_api() {
         "get /readyz",
         "get /v1/forces",
         "get /v1/model",
+        "get /v1/resistances",
         "get /v1/slip-sweep",
         "get /v1/soils",
         "get /v1/soils/{id}",
@@ -153,6 +154,7 @@ fn a_default_that_is_sent_changes_nothing() {
     let mut sent = 0;
     for (path, own) in [
         ("/v1/forces", json!({"slip": 0.2, "sinkage_m": 0.02})),
+        ("/v1/resistances", json!({"slip": 0.2, "normal_load_n": 80})),
         ("/v1/stress-profile", json!({"slip": 0.2, "sinkage_m": 0.02})),
         ("/v1/slip-sweep", json!({"slip": {"from": -0.5, "to": 1, "points": 4}, "normal_load_n": 80})),
     ] {

@@ -1,4 +1,4 @@
-//! GET twins of `/v1/forces`, `/v1/stress-profile` and `/v1/slip-sweep`: a query instead of a body.
+//! GET twins of `/v1/forces`, `/v1/resistances`, `/v1/stress-profile` and `/v1/slip-sweep`: a query instead of a body.
 
 use serde_json::{Value, json};
 
@@ -26,6 +26,7 @@ fn bodies() -> Vec<(&'static str, Value)> {
         "soil": {"unit_weight_n_m3": 15_000, "lateral_shear_modulus_m": 0.004}});
     vec![
         ("/v1/forces", letter()),
+        ("/v1/resistances", with(&letter(), json!({"sinkage_m": null, "normal_load_n": 80}))),
         ("/v1/forces", with(&letter(), sideways.clone())),
         ("/v1/slip-sweep", with(&with(&letter(), sideways), json!({"slip": range["slip"]}))),
         ("/v1/forces", solved.clone()),
