@@ -83,7 +83,7 @@ def measurements(schemas):
     plain = requiring(anything, ["soil"], without=idle)
     plain["properties"]["fit"]["items"]["enum"] = ["cohesion_pa", "friction_angle_rad", "n0", "n1"]
     plain["properties"]["fit"]["maxItems"] = 4
-    schemas["IdentifyRequest"] = {"anyOf": [plain, anything]}
+    schemas["IdentifyRequest"] = plain
 
 
 def samples(columns):

@@ -29,7 +29,7 @@ wire_object! {
 wire_object! {
     /// A plate and what was measured under it.
     PlateDto as "Plate" {
-        width_m: f64 = Number::new("Smaller side, or radius of a round plate, b (m).", 1e-3, 100.0),
+        width_m: f64 = Number::new("Smaller side, or radius of a round plate, b (m).", 1e-3, 100.0).required(),
         columns: PlateColumnsDto = Nested::required("The measured curve."),
     }
 }
@@ -52,7 +52,7 @@ wire_object! {
 wire_object! {
     /// A shear test under one normal stress.
     ShearCurveDto as "ShearCurve" {
-        normal_stress_pa: f64 = Number::new("Normal stress σ (Pa).", 0.0, 1e12),
+        normal_stress_pa: f64 = Number::new("Normal stress σ (Pa).", 0.0, 1e12).required(),
         columns: ShearColumnsDto = Nested::required("The measured curve."),
     }
 }
