@@ -278,5 +278,7 @@ pub(crate) fn peak_stresses(patch: &ContactPatch<'_>, peak_depth: PeakDepth) -> 
         PeakDepth::Geometric => patch.geometric_depth(&peak),
         PeakDepth::Half => 0.5 * patch.sinkage, // Eq. (8)
     };
-    patch.stresses_under(&peak, depth)
+    // Two zones have no shear stress at their peak, and the closed forms are refused there.
+    let normal = patch.rolling.pressure(depth);
+    Stresses { normal, shear: patch.mobilisation_of_one_zone(&peak) * patch.rolling.shear_strength(normal) }
 }
