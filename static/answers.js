@@ -60,11 +60,13 @@ export function faultsOf({ forces, sweep, profile }) {
   return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
 }
 
+const saying = ({ code, detail }) => `${code} ${detail}`;
+
 /** Each warning once, with the methods it came with. */
 function gathered(sources) {
   const warnings = new Map();
   for (const { method, code, detail } of sources) {
-    const key = `${code} ${detail}`;
+    const key = saying({ code, detail });
     warnings.set(key, { code, detail, methods: [...(warnings.get(key)?.methods ?? []), ...(method ? [METHOD_NAMES[method]] : [])] });
   }
   return [...warnings.values()];
@@ -76,7 +78,7 @@ function withoutMethod({ code, detail }) {
   return { method, code, detail: method ? detail.slice(method.length + 2) : detail };
 }
 
-/** The warnings by the part of the page that they are about. */
+/** The warnings by the part of the page that they are about; what is said of the results is not said again of the curves. */
 export function warningsOf({ sweep, profile, byMethod, series }) {
   const isCompared = byMethod.length > 1;
   const ofForces = byMethod.flatMap(({ method, forces }) =>
@@ -84,5 +86,7 @@ export function warningsOf({ sweep, profile, byMethod, series }) {
   const ofSweep = (sweep.answer?.warnings ?? []).map(withoutMethod)
     .map((warning) => ({ ...warning, detail: wordedWarning(warning.detail, series[0]?.columns.slip) }));
   const ofProfile = (profile.answer?.warnings ?? []).map(({ code, detail }) => ({ code, detail: worded(detail) }));
-  return { forces: gathered(ofForces), sweep: gathered(ofSweep), profile: gathered(ofProfile) };
+  const said = new Set(ofForces.map(saying));
+  const further = (warnings) => gathered(warnings.filter((warning) => !said.has(saying(warning))));
+  return { forces: gathered(ofForces), sweep: further(ofSweep), profile: further(ofProfile) };
 }
