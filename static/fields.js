@@ -3,7 +3,7 @@
 import { roundStep } from "./axis.js";
 
 /** A shown unit that differs from the API's by a power of ten; `si` tells people how the API counts. */
-const power = (text, exponent, si = "") => ({
+export const power = (text, exponent, si = "") => ({
   text,
   si,
   // Shifting the decimal point in the text keeps 20 mm at exactly 0.02 in the request; dividing would not always.
@@ -28,6 +28,7 @@ const DEGREE = {
 
 const SLIDER_STEPS = 200;
 const SHOWN_DIGITS = 6;
+const CARRIED_DIGITS = 10;
 const DEFAULT_LOAD_N = 90;
 
 const range = (min, max, step) => () => ({ min, max, step });
@@ -167,6 +168,9 @@ export function typingAdvice(field, text, context) {
   const usual = baseText(field, context);
   return `Type a number${alternative}${usual ? `, such as ${usual}` : ""}.`;
 }
+
+/** A value of the API as a text for the box, in more digits than anyone measures. */
+export const fieldText = (field, value) => String(Number(field.unit.fromSi(value).toPrecision(CARRIED_DIGITS)));
 
 /** What the box shows while the field follows its preset. */
 export function baseText(field, context) {

@@ -1,6 +1,6 @@
 // From the person's choices and the catalogue to the bodies of the API's requests.
 
-import { FIELDS, siFromText, typingAdvice } from "./fields.js";
+import { FIELDS, fieldText, siFromText, typingAdvice } from "./fields.js";
 
 const PROFILE_POINTS = 201;
 const SWEEP_POINTS = 101;
@@ -137,6 +137,29 @@ export function compareBody(settings) {
 
 export function forcesBody(settings, method) {
   return { ...settings.common, slip: settings.slip, ...settings.given, method, ...options(settings, method) };
+}
+
+/** `data` are measurements; what is on the page is what is known beside them, and where the search begins. */
+export function identifyBody(settings, fit, data) {
+  return { ...settings.common, method: settings.method, ...options(settings, settings.method), fit, data };
+}
+
+/** The changes of state that put a soil and a contact of the API into the controls. */
+export function changesFor({ soil, contact }, state, catalogue) {
+  const shearLaw = soil.shear?.law ?? "janosi_hanamoto";
+  const { followedLaw, followedShear, followedRule } = contextOf(state, catalogue);
+  const unless = (value, followed) => (value === followed ? null : value);
+  const changes = {
+    law: unless(soil.pressure_sinkage.law, followedLaw),
+    shear: unless(shearLaw, followedShear),
+    rule: unless(contact.rule, followedRule),
+  };
+  const groups = activeGroups({ ...state, ...changes }, { law: soil.pressure_sinkage.law, shearLaw, rule: contact.rule });
+  for (const field of FIELDS.filter(({ pointer }) => /^\/(soil|contact)\//.test(pointer))) {
+    const value = field.pointer.slice(1).split("/").reduce((part, name) => part?.[name], { soil, contact });
+    changes[field.key] = groups.has(field.group) && typeof value === "number" ? fieldText(field, value) : null;
+  }
+  return changes;
 }
 
 /** Over driving slips, and over braking ones too when these are wanted or the slip itself is one. */
