@@ -9,6 +9,7 @@ const LINE_PX = 14;
 const MARGIN = { top: 10, right: 14, bottom: 36 };
 const TICK_SPACING = { x: 75, y: 34 };
 const PAGE_STEPS = 10;
+const POINT_PX = 3.5;
 
 const isNumber = (value) => value !== null && value !== undefined;
 
@@ -42,8 +43,14 @@ function labelRows(labels) {
 /** The measured points between the ends of the axis. */
 function pointsWithin({ points, x: { domain } }) {
   if (!points) return [];
-  return points.at.map((at, index) => ({ key: points.key, at, value: points.values[index] }))
+  return points.at.map((at, index) => ({ at, value: points.values[index] }))
     .filter(({ at }) => at >= domain[0] && at <= domain[1]);
+}
+
+/** All points as circles in one path: telemetry has thousands. */
+function pointsPath(points, x, y) {
+  const [r, d] = [POINT_PX, 2 * POINT_PX];
+  return points.map(({ at, value }) => `M${(x(at) - r).toFixed(2)} ${y(value).toFixed(2)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 ${-d} 0`).join("");
 }
 
 function nearestIndex(values, target) {
@@ -185,9 +192,7 @@ export function createChart(host, { onCursor, onPick } = {}) {
     for (const dot of spec.dots) {
       if (isNumber(dot.value)) curves.append(svg("circle", { class: "dot", "data-style": dot.key, cx: x(dot.at), cy: y(dot.value), r: 4 }));
     }
-    for (const { key, at, value } of measured) {
-      curves.append(svg("circle", { class: "point", "data-style": key, cx: x(at), cy: y(value), r: 3.5 }));
-    }
+    if (measured.length) curves.append(svg("path", { class: "point", "data-style": spec.points.key, d: pointsPath(measured, x, y) }));
     overlay = svg("g", { class: "overlay" });
     surface.append(curves, overlay);
     drawCursor();

@@ -28,7 +28,6 @@ const DEGREE = {
 
 const SLIDER_STEPS = 200;
 const SHOWN_DIGITS = 6;
-const CARRIED_DIGITS = 10;
 const DEFAULT_LOAD_N = 90;
 
 const range = (min, max, step) => () => ({ min, max, step });
@@ -169,13 +168,13 @@ export function typingAdvice(field, text, context) {
   return `Type a number${alternative}${usual ? `, such as ${usual}` : ""}.`;
 }
 
-/** A value of the API as a text for the box, in more digits than anyone measures. */
-export const fieldText = (field, value) => String(Number(field.unit.fromSi(value).toPrecision(CARRIED_DIGITS)));
+/** A value of the API as a text for the box. */
+export const fieldText = (field, value) => String(Number(field.unit.fromSi(value).toPrecision(SHOWN_DIGITS)));
 
 /** What the box shows while the field follows its preset. */
 export function baseText(field, context) {
   const base = field.base(context);
-  return base === undefined || base === null ? "" : String(Number(field.unit.fromSi(base).toPrecision(SHOWN_DIGITS)));
+  return base === undefined || base === null ? "" : fieldText(field, base);
 }
 
 export const shownText = (field, state, context) => state[field.key] ?? baseText(field, context);

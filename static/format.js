@@ -62,6 +62,6 @@ export function quantity(name, value) {
 
 /** Splits "F_x" into its letter and its subscript, for HTML and SVG alike. */
 export function notation(text) {
-  return text.split(/(_\w)/).filter(Boolean)
+  return text.split(/(_[\p{L}\p{N}])/u).filter(Boolean)
     .map((part) => (part.startsWith("_") ? { text: part.slice(1), subscript: true } : { text: part, subscript: false }));
 }

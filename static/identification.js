@@ -29,35 +29,41 @@ const PARAMETERS = {
 };
 
 const byId = (id) => document.getElementById(id);
-const shown = ({ unit }, value) => withUnit(significant(unit.fromSi(value), SHOWN_DIGITS), unit.text);
+const REECE = { k_c: fieldNamed("reece_k_c"), k_phi: fieldNamed("reece_k_phi") };
+
+/** Under one name, the moduli of two laws have different units. */
+const fieldOf = (parameter, law) => (law === "reece" && REECE[parameter]) || PARAMETERS[parameter].field;
+
+function shown({ unit }, value) {
+  const text = significant(unit.fromSi(value), SHOWN_DIGITS);
+  return unit.text === "°" ? `${text}°` : withUnit(text, unit.text);
+}
 const labelled = ({ label, symbol }) => [label, " ", html("i", {}, ...symbolHtml(symbol))];
 
 /** The API's names as the page has them. */
 const named = (text) => text.replace(/\b[a-z]\w*\b/g, (word) => PARAMETERS[word]?.field.label.toLowerCase() ?? MEASURED[word]?.label.toLowerCase() ?? word);
 
 /** Numbers in these sentences are the parameter's own, in SI; the interval has a column of its own. */
-function identifiabilityOf({ parameter, identifiability }) {
-  const { field } = PARAMETERS[parameter];
+function identifiabilityOf(identifiability, field) {
   const inUnit = (whole, before, number, after) => `${before}${shown(field, Number(number))}${after}`;
   return named(identifiability.replace(/^determined to ± \S+ \(95 %\)$/, "determined")
     .replace(new RegExp(`(± )(${NUMBER})( \\()`), inUnit)
     .replace(new RegExp(`(: )(${NUMBER})( explains)`), inUnit));
 }
 
-function estimateRow(estimate) {
-  const { parameter, value, interval_95: interval } = estimate;
-  const { field } = PARAMETERS[parameter];
+function estimateRow({ parameter, value, interval_95: interval, identifiability }, law) {
+  const field = fieldOf(parameter, law);
   const ends = interval ? interval.map((end) => shown(field, end)).join(" to ") : "–";
   return html("tr", { "data-parameter": parameter },
     html("th", { scope: "row" }, ...labelled(field)),
     html("td", { "data-estimate": parameter, "data-value": value }, shown(field, value)),
     html("td", {}, ends),
-    html("td", { class: "words" }, identifiabilityOf(estimate)));
+    html("td", { class: "words" }, identifiabilityOf(identifiability, field)));
 }
 
-const resultTable = ({ estimates }) => html("table", {},
+const resultTable = ({ estimates, soil }) => html("table", {},
   html("thead", {}, html("tr", {}, ...["Parameter", "Estimate", "95 % interval", "Do the data determine it?"].map((text) => html("th", { scope: "col" }, text)))),
-  html("tbody", {}, ...estimates.map(estimateRow)));
+  html("tbody", {}, ...estimates.map((estimate) => estimateRow(estimate, soil.pressure_sinkage.law))));
 
 function summary({ method, converged, identifiable, rmse }, count) {
   const errors = Object.entries(rmse).map(([name, value]) => `${MEASURED[name].label.toLowerCase()} ${quantity(name, value)}`).join(", ");
@@ -93,7 +99,7 @@ export function connectIdentification(form, { settings, samples, onSoil }) {
   }
 
   function showProgress(isFitting) {
-    for (const id of ["cancel-fit", "fit-progress"]) byId(id).hidden = !isFitting;
+    for (const id of ["cancel-fit", "fit-progress", "fit-elapsed"]) byId(id).hidden = !isFitting;
     byId("fit-soil").disabled = isFitting;
   }
 
@@ -128,9 +134,10 @@ export function connectIdentification(form, { settings, samples, onSoil }) {
     const mine = new AbortController();
     search = mine;
     const started = performance.now();
-    const tell = () => { status.textContent = `Searching in ${lines.length} rows for ${fit.length} parameters, ${Math.round((performance.now() - started) / 1000)} s…`; };
+    const tell = () => { byId("fit-elapsed").textContent = `${Math.round((performance.now() - started) / 1000)} s`; };
     const clock = setInterval(tell, 1000);
     tell();
+    status.textContent = `The service looks for ${fit.length} parameters in ${lines.length} rows…`;
     form.dataset.state = "fitting";
     showProgress(true);
     try {

@@ -20,7 +20,7 @@
 //   #validation[data-state]: waiting | loading | ready | failed; in it tr[data-set], td[data-error][data-method][data-value],
 //   #validation-drawbar-chart #validation-sinkage-chart #validation-torque-chart
 //   #measurements[data-state]: empty | refused | ready; #measurements-file (file input), [data-column="0"] (selects), #measurements-faults li,
-//   td[data-rms="torque_n_m"][data-method][data-value], circle.point[data-style="measured"]
+//   td[data-rms="torque_n_m"][data-method][data-value], path.point[data-style="measured"] with a circle for each
 //   #identification[data-state]: idle | fitting | fitted | failed; input[data-fit="n0"], #fit-soil #cancel-fit #use-soil,
 //   tr[data-parameter] td[data-estimate][data-value], #fit-warnings li[data-warning], #fit-status
 //   #profile-csv #sweep-csv #copy-link #copy-curl #curl #curl-note #reset-all; button[data-gives="tiles|profile|sweep"] is

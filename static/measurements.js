@@ -23,13 +23,10 @@ function columnSelect(column, heading, mapped) {
 }
 
 /** Its heading, what it is taken for, and the first cells. */
-function previewTable({ columns, lines, faults }, selects) {
-  const wrong = new Set(faults.map(({ line, column }) => `${line} ${column}`));
+function previewTable({ columns, lines }, selects) {
   const rows = lines.slice(0, PREVIEW_ROWS).map((line, row) => html("tr", {},
     html("th", { scope: "row" }, `Line ${line}`),
-    ...columns.map(({ texts }, column) => (wrong.has(`${line} ${column}`)
-      ? html("td", { class: "wrong" }, "no number")
-      : html("td", {}, texts[row] ?? "–")))));
+    ...columns.map(({ cells }, column) => html("td", { "data-cell": `${line} ${column}` }, cells[row] || "–"))));
   return html("table", {},
     html("thead", {},
       html("tr", {}, html("td", {}), ...columns.map(({ heading, unit }) => html("th", { scope: "col" }, [heading, unit].filter(Boolean).join(", ")))),
@@ -91,9 +88,12 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
     samples = samplesOf(table, mapping);
     section.dataset.state = isReady() ? "ready" : "refused";
     tellFaults(samples.faults);
+    const wrong = new Set(table.faults.filter(({ column }) => mapping[column]).map(({ line, column }) => `${line} ${column}`));
+    for (const cell of byId("measurements-preview").querySelectorAll("[data-cell]")) cell.classList.toggle("wrong", wrong.has(cell.dataset.cell));
     const left = samples.left ? `; ${samples.left} without a number in every chosen column are left out` : "";
     const count = samples.lines.length;
-    status.textContent = `${count} ${count === 1 ? "row" : "rows"} to be used${left}. Cells are parted by ${table.separator}, decimals by ${table.decimal}.`;
+    const use = isReady() ? `${count} ${count === 1 ? "row" : "rows"} to be used${left}.` : "This table cannot be used yet.";
+    status.textContent = `${use} Cells are parted by ${table.separator}, decimals by ${table.decimal}.`;
     identification.show(isReady());
     byId("measurements-residuals").hidden = !isReady();
     onData();
@@ -147,18 +147,20 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
     onData();
     input.focus();
   });
+  // Elsewhere the browser would leave the page for the file.
   for (const kind of ["dragenter", "dragover"]) {
-    section.addEventListener(kind, (event) => {
+    document.addEventListener(kind, (event) => {
       if (!event.dataTransfer.types.includes("Files")) return;
       event.preventDefault();
       drop.classList.add("over");
     });
   }
-  section.addEventListener("dragleave", () => drop.classList.remove("over"));
-  section.addEventListener("drop", (event) => {
+  document.addEventListener("dragleave", () => drop.classList.remove("over"));
+  document.addEventListener("drop", (event) => {
     drop.classList.remove("over");
     if (!event.dataTransfer.files.length) return;
     event.preventDefault();
+    section.scrollIntoView({ block: "nearest" });
     read(event.dataTransfer.files[0]);
   });
 

@@ -1,6 +1,6 @@
 // From the person's choices and the catalogue to the bodies of the API's requests.
 
-import { FIELDS, fieldText, siFromText, typingAdvice } from "./fields.js";
+import { FIELDS, baseText, fieldText, siFromText, typingAdvice } from "./fields.js";
 
 const PROFILE_POINTS = 201;
 const SWEEP_POINTS = 101;
@@ -154,10 +154,12 @@ export function changesFor({ soil, contact }, state, catalogue) {
     shear: unless(shearLaw, followedShear),
     rule: unless(contact.rule, followedRule),
   };
-  const groups = activeGroups({ ...state, ...changes }, { law: soil.pressure_sinkage.law, shearLaw, rule: contact.rule });
+  const context = contextOf({ ...state, ...changes }, catalogue);
+  const groups = activeGroups({ ...state, ...changes }, context);
   for (const field of FIELDS.filter(({ pointer }) => /^\/(soil|contact)\//.test(pointer))) {
     const value = field.pointer.slice(1).split("/").reduce((part, name) => part?.[name], { soil, contact });
-    changes[field.key] = groups.has(field.group) && typeof value === "number" ? fieldText(field, value) : null;
+    const text = groups.has(field.group) && typeof value === "number" ? fieldText(field, value) : null;
+    changes[field.key] = unless(text, baseText(field, context));
   }
   return changes;
 }

@@ -52,7 +52,7 @@ function decimalOf(rows) {
 }
 
 /**
- * `columns`: [{ heading, unit, texts }] where a text is a number in the notation of programs, or null where the cell is empty;
+ * `columns`: [{ heading, unit, cells, texts }] where a cell stands as in the file and a text is a number in the notation of programs, or null where the cell is empty;
  * `faults`: [{ line, column, text }] cells that are neither, by the index of their column; `lines`: line of each row in the file.
  */
 export function parseTable(text) {
@@ -81,6 +81,7 @@ export function parseTable(text) {
   const columns = headings.map((heading, column) => ({
     heading,
     unit: units[column] ?? "",
+    cells: rows.map(({ cells }) => cells[column]),
     texts: rows.map(({ cells, number }) => {
       const cell = plain(cells[column]);
       if (isEmpty(cell)) return null;
