@@ -60,13 +60,14 @@ export function faultsOf({ forces, sweep, profile }) {
   return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
 }
 
-const saying = ({ code, detail }) => `${code} ${detail}`;
+/** What a warning says, wherever in a sweep it says it. */
+const saying = ({ code, detail }) => `${code} ${detail.replace(/^at slip [^;]*; furthest out: /, "")}`;
 
 /** Each warning once, with the methods it came with. */
 function gathered(sources) {
   const warnings = new Map();
   for (const { method, code, detail } of sources) {
-    const key = saying({ code, detail });
+    const key = `${code} ${detail}`;
     warnings.set(key, { code, detail, methods: [...(warnings.get(key)?.methods ?? []), ...(method ? [METHOD_NAMES[method]] : [])] });
   }
   return [...warnings.values()];

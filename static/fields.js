@@ -68,6 +68,9 @@ export const FIELDS = [
     label: "Gain of the sinkage with slip", symbol: "S", unit: ONE,
     base: () => 1, slider: range(0, 5, 0.05) },
 
+  { group: "slip_angle", key: "beta_deg", name: "slip_angle", pointer: "/slip_angle_rad", label: "Slip angle", symbol: "β", unit: DEGREE, signed: true,
+    base: () => 0, slider: range(-45, 45, 0.5) },
+
   { group: "wheel", key: "radius_mm", name: "radius", pointer: "/wheel/radius_m", label: "Radius", symbol: "r", unit: MILLIMETRE,
     base: ({ wheel }) => wheel?.wheel.radius_m, slider: range(20, 600, 1) },
   { group: "wheel", key: "width_mm", name: "width", pointer: "/wheel/width_m", label: "Width", symbol: "b", unit: MILLIMETRE,

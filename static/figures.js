@@ -31,7 +31,8 @@ export function profileSpec({ angles, columns }) {
       format: (value) => `${fixed(value, 1)}°`,
     },
     y: { unit: "kPa", format: (value) => withUnit(significant(value), "kPa") },
-    curves: STRESS_CURVES.map(({ key, name, column }) => ({ key, name, values: inKilopascal(columns[column]) })),
+    // Two zones of a braking wheel have no linear stresses.
+    curves: STRESS_CURVES.filter(({ column }) => columns[column].some((value) => value !== null)).map(({ key, name, column }) => ({ key, name, values: inKilopascal(columns[column]) })),
     marks: marks.map(({ key, at, symbol }) => ({ key, at, label: `${symbol} ${fixed(at, 1)}°` })),
     dots: [],
     rest: degrees(angles.maximum_stress_rad),

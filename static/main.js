@@ -4,7 +4,7 @@
 //   #app[data-state]          loading | ready | fault | offline; #app[data-round] counts the rounds shown;
 //   #app[data-busy] is true while a round is in flight
 //   #notice: what of the address was not taken
-//   #wheel #soil #method #law #shear #slip-sinkage #rule #normal-stress-radius #peak-sinkage #fourth (selects), #compare #braking (check boxes),
+//   #wheel #soil #method #law #shear #slip-sinkage #rule #normal-stress-radius #peak-sinkage #fourth (selects), #compare #braking (check boxes), #braking-law (select),
 //   #by-sinkage #by-load #by-static (radio buttons)
 //   input[name="slip"] and so on: the number boxes; input[data-slider="slip"]: their sliders; names as in fields.js
 //   [data-reset="radius"], [data-reset-group="wheel"]: back to the preset; .field.changed marks a changed field

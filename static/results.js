@@ -19,6 +19,8 @@ export function showTiles(root, forces) {
     const value = results[name];
     tile.textContent = quantity(name, value);
     tile.dataset.value = value ?? "";
+    const optional = tile.closest("[data-optional]");
+    if (optional) optional.hidden = value === undefined;
     tile.title = value === null ? "Not defined at this operating point" : "";
   }
 }

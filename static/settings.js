@@ -36,6 +36,8 @@ export function contextOf(state, catalogue) {
   };
   const radius = FIELDS.find((field) => field.name === "radius");
   context.radius = state[radius.key] === null ? wheel?.wheel.radius_m : siFromText(radius, state[radius.key]);
+  const slip = FIELDS.find((field) => field.name === "slip");
+  context.slip = state[slip.key] === null ? slip.base(context) : siFromText(slip, state[slip.key]);
   return context;
 }
 
@@ -45,6 +47,11 @@ export function activeGroups(state, context) {
   if (context.shearLaw === "janosi_hanamoto") groups.add("janosi_hanamoto");
   else groups.add("peak");
   if (context.shearLaw === "wong_residual") groups.add("residual");
+  // The closed forms know neither a slip angle nor two zones.
+  if (state.method === "quadrature" && !state.compare) {
+    groups.add("slip_angle");
+    if (context.braking || context.slip < 0) groups.add("braking_law");
+  }
   if (state.by === "static") groups.add("static_law");
   if (state.by === "static" && state.slip_sinkage === "linear") groups.add("linear");
   if (context.rule === "wong_reece") groups.add("wong_reece");
@@ -101,6 +108,8 @@ export function settingsOf(state, catalogue) {
       ...complete([state.by]),
       ...(state.by === "static" && state.slip_sinkage !== "lyasko" && { slip_sinkage: { law: state.slip_sinkage, ...complete(["linear"]) } }),
     },
+    brakingLaw: groups.has("braking_law") && state.braking_law !== "one_zone" ? { braking: state.braking_law } : {},
+    slipAngle: overrides("slip_angle"),
     givenName: GIVEN[state.by],
     method: state.method,
     methods: state.compare ? METHODS : [state.method],
@@ -136,7 +145,7 @@ export function compareBody(settings) {
 }
 
 export function forcesBody(settings, method) {
-  return { ...settings.common, slip: settings.slip, ...settings.given, method, ...options(settings, method) };
+  return { ...settings.common, slip: settings.slip, ...settings.given, ...settings.brakingLaw, ...settings.slipAngle, method, ...options(settings, method) };
 }
 
 /** `data` are measurements; what is on the page is what is known beside them, and where the search begins. */
@@ -177,6 +186,7 @@ export function profileBody(settings, sinkage) {
     ...settings.common,
     slip: settings.slip,
     ...given,
+    ...settings.brakingLaw,
     ...(settings.peakSinkage && { peak_sinkage: settings.peakSinkage }),
     points: PROFILE_POINTS,
   };
