@@ -51,6 +51,14 @@ function identifiabilityOf(identifiability, field) {
     .replace(new RegExp(`(: )(${NUMBER})( explains)`), inUnit));
 }
 
+const AT_BOUND = new RegExp(`^(\\w+)( lies at its \\w+ bound )(${NUMBER})$`);
+
+/** A bound is told as a bare number, in SI. */
+function warningText(detail, law) {
+  const inUnit = (_, parameter, words, number) => `${parameter}${words}${shown(fieldOf(parameter, law), Number(number))}`;
+  return named(worded(detail.replace(AT_BOUND, inUnit)));
+}
+
 function estimateRow({ parameter, value, interval_95: interval, identifiability }, law) {
   const field = fieldOf(parameter, law);
   const ends = interval ? interval.map((end) => shown(field, end)).join(" to ") : "–";
@@ -107,7 +115,8 @@ export function connectIdentification(form, { settings, samples, onSoil }) {
     found = reply;
     status.textContent = summary(reply, count);
     byId("fit-result").replaceChildren(resultTable(reply));
-    byId("fit-warnings").replaceChildren(...reply.warnings.map(({ code, detail }) => html("li", { "data-warning": code }, ...sentenceHtml(named(worded(detail))))));
+    byId("fit-warnings").replaceChildren(...reply.warnings.map(({ code, detail }) =>
+      html("li", { "data-warning": code }, ...sentenceHtml(warningText(detail, reply.soil.pressure_sinkage.law)))));
     byId("fit-warnings").hidden = !reply.warnings.length;
     for (const id of ["fit-result", "use-soil"]) byId(id).hidden = false;
     form.dataset.state = "fitted";

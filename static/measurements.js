@@ -139,6 +139,8 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
     take();
   }
 
+  // A file that was edited and is chosen again would else be no change.
+  input.addEventListener("click", () => { input.value = ""; });
   input.addEventListener("change", () => input.files.length && read(input.files[0]));
   byId("measurements-clear").addEventListener("click", () => {
     latest += 1;

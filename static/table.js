@@ -61,7 +61,6 @@ export function parseTable(text) {
     .filter(({ line }) => line.trim() && !line.startsWith("#"));
   if (!lines.length) throw new TableFault(null, "The table is empty.");
   const separator = SEPARATORS.find((each) => lines[0].line.includes(each)) ?? ",";
-  if (lines.length > MOST_ROWS + 2) throw new TableFault(lines[MOST_ROWS + 2].number, `the service takes ${MOST_ROWS} rows at most.`);
   const rows = lines.map(({ line, number }) => ({ number, cells: cellsOf(line, separator, number) }));
 
   const isHeading = rows[0].cells.some((cell) => !isNumber(cell) && !isEmpty(cell));
@@ -69,6 +68,7 @@ export function parseTable(text) {
   const headings = isHeading ? rows.shift().cells : Array.from({ length: width }, (_, index) => `Column ${index + 1}`);
   const hasUnits = isHeading && rows.length > 1 && !rows[0].cells.some(isNumber) && rows[1].cells.some(isNumber);
   const units = hasUnits ? rows.shift().cells : [];
+  if (rows.length > MOST_ROWS) throw new TableFault(rows[MOST_ROWS].number, `the service takes ${MOST_ROWS} rows at most.`);
   if (!rows.length) throw new TableFault(null, "The table has a heading and no rows.");
 
   const uneven = rows.find(({ cells }) => cells.length !== width);

@@ -25,7 +25,7 @@ async function germanTable() {
   return `\uFEFF${lines.join("\r\n")}\r\n`;
 }
 
-/** Drops a file on the section as a person does with the mouse. */
+/** Drops a file on the section as a person does with the mouse, and waits until it is read. */
 async function dropFile(page, text) {
   const transfer = await page.evaluateHandle((content) => {
     const carried = new DataTransfer();
@@ -104,6 +104,10 @@ check("a malformed table tells line and column", async (page) => {
   assert.deepEqual(await faults(page), ["Line 3, column 2 (Fx [N]): “four” is no number."]);
   await dropFile(page, "slip;Fx\n0,1;3\n0,2;3;4\n");
   assert.ok((await faults(page))[0].startsWith("Line 3: 3 cells"), `${await faults(page)}`);
+  await dropFile(page, `slip,Fx\n${"0.1,3\n".repeat(10_002)}`);
+  assert.deepEqual(await faults(page), ["Line 10003: the service takes 10001 rows at most."]);
+  await dropFile(page, "slip,Fx\n0.1,3\n\"0,2\",4.5\n");
+  assert.ok((await faults(page))[0].startsWith("Line 3, column 1 (slip): “0,2” has a decimal comma"), `${await faults(page)}`);
   await dropFile(page, "");
   assert.deepEqual(await faults(page), ["The table is empty."]);
 });
