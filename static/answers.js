@@ -60,6 +60,9 @@ export function faultsOf({ forces, sweep, profile }) {
   return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
 }
 
+/** What a warning says, wherever in a sweep it says it. */
+const saying = ({ code, detail }) => `${code} ${detail.replace(/^at slip [^;]*; furthest out: /, "")}`;
+
 /** Each warning once, with the methods it came with. */
 function gathered(sources) {
   const warnings = new Map();
@@ -76,7 +79,7 @@ function withoutMethod({ code, detail }) {
   return { method, code, detail: method ? detail.slice(method.length + 2) : detail };
 }
 
-/** The warnings by the part of the page that they are about. */
+/** The warnings by the part of the page that they are about; what is said of the results is not said again of the curves. */
 export function warningsOf({ sweep, profile, byMethod, series }) {
   const isCompared = byMethod.length > 1;
   const ofForces = byMethod.flatMap(({ method, forces }) =>
@@ -84,5 +87,7 @@ export function warningsOf({ sweep, profile, byMethod, series }) {
   const ofSweep = (sweep.answer?.warnings ?? []).map(withoutMethod)
     .map((warning) => ({ ...warning, detail: wordedWarning(warning.detail, series[0]?.columns.slip) }));
   const ofProfile = (profile.answer?.warnings ?? []).map(({ code, detail }) => ({ code, detail: worded(detail) }));
-  return { forces: gathered(ofForces), sweep: gathered(ofSweep), profile: gathered(ofProfile) };
+  const said = new Set(ofForces.map(saying));
+  const further = (warnings) => gathered(warnings.filter((warning) => !said.has(saying(warning))));
+  return { forces: gathered(ofForces), sweep: further(ofSweep), profile: further(ofProfile) };
 }

@@ -1,6 +1,7 @@
 // Requests to the service, and the two ways they fail: a problem (the service says what is wrong) or no usable answer.
 
 const PATIENCE_MS = 20_000;
+const SEARCH_PATIENCE_MS = 60_000;
 const PASSING_STATUSES = [408, 429, 500, 502, 503, 504];
 
 export class Problem extends Error {
@@ -19,10 +20,10 @@ export class Unavailable extends Error {
   }
 }
 
-async function answer(path, request, read, signal) {
+async function answer(path, request, read, signal, patienceMs = PATIENCE_MS) {
   const patience = new AbortController();
   const giveUp = () => patience.abort();
-  const timer = setTimeout(giveUp, PATIENCE_MS);
+  const timer = setTimeout(giveUp, patienceMs);
   signal?.addEventListener("abort", giveUp);
   try {
     const response = await fetch(path, { ...request, signal: patience.signal });
@@ -50,6 +51,9 @@ const asJson = (response) => response.json();
 const asText = (response) => response.text();
 
 export const post = (path, body, signal) => answer(path, posted(body, "application/json"), asJson, signal);
+
+/** A search may use up what the service allows a computation, so it is waited for longer. */
+export const identify = (body, signal) => answer("/v1/identify", posted(body, "application/json"), asJson, signal, SEARCH_PATIENCE_MS);
 
 export const postForCsv = (path, body) => answer(path, posted(body, "text/csv"), asText);
 

@@ -9,6 +9,7 @@ const LINE_PX = 14;
 const MARGIN = { top: 10, right: 14, bottom: 36 };
 const TICK_SPACING = { x: 75, y: 34 };
 const PAGE_STEPS = 10;
+const POINT_PX = 3.5;
 
 const isNumber = (value) => value !== null && value !== undefined;
 
@@ -39,6 +40,19 @@ function labelRows(labels) {
   });
 }
 
+/** The measured points between the ends of the axis. */
+function pointsWithin({ points, x: { domain } }) {
+  if (!points) return [];
+  return points.at.map((at, index) => ({ at, value: points.values[index] }))
+    .filter(({ at }) => at >= domain[0] && at <= domain[1]);
+}
+
+/** All points as circles in one path: telemetry has thousands. */
+function pointsPath(points, x, y) {
+  const [r, d] = [POINT_PX, 2 * POINT_PX];
+  return points.map(({ at, value }) => `M${(x(at) - r).toFixed(2)} ${y(value).toFixed(2)}a${r} ${r} 0 1 0 ${d} 0a${r} ${r} 0 1 0 ${-d} 0`).join("");
+}
+
 function nearestIndex(values, target) {
   let best = 0;
   values.forEach((value, index) => {
@@ -57,6 +71,7 @@ function nearestIndex(values, target) {
  *   curves: [{ key, name, values }],      key selects colour and dashes in the style sheet
  *   marks: [{ key, at, label }],          vertical lines
  *   dots: [{ key, at, value }],           single points of the curves with the same key
+ *   points: { key, name, reading, at: [], values: [] },   measured ones, told apart in the legend by `reading`; may be absent
  *   rest: x at which the legend reads while there is no cursor, or null,
  * }
  */
@@ -90,6 +105,13 @@ export function createChart(host, { onCursor, onPick } = {}) {
           svg("path", { class: "curve", "data-style": curve.key, d: "M1 4H25" })),
         html("span", {}, curve.name),
         html("span", { class: "reading" }, at === null ? "" : textOf(reading(curve)))));
+    if (spec.points) {
+      items.push(html("li", { "data-curve": spec.points.key },
+        svg("svg", { class: "swatch", viewBox: "0 0 26 8", "aria-hidden": "true" },
+          svg("path", { class: "curve", "data-style": spec.points.key, d: "M1 4H25" })),
+        html("span", {}, spec.points.name),
+        html("span", { class: "reading" }, spec.points.reading)));
+    }
     legend.replaceChildren(html("li", { class: "position" }, spec.x.name, " ", at === null ? "" : spec.x.format(at)), ...items);
     legend.classList.toggle("at-cursor", !resting);
     plot.setAttribute("aria-valuemax", spec.x.values.length - 1);
@@ -126,7 +148,8 @@ export function createChart(host, { onCursor, onPick } = {}) {
     surface.replaceChildren();
 
     const yTickCount = Math.max(2, Math.round((height - MARGIN.top - LINE_PX - MARGIN.bottom) / TICK_SPACING.y));
-    const values = spec.curves.flatMap((curve) => curve.values.filter(isNumber));
+    const measured = pointsWithin(spec);
+    const values = [...spec.curves.flatMap((curve) => curve.values.filter(isNumber)), ...measured.map(({ value }) => value)];
     const { domain, ticks: yTicks } = roundAxis(values, yTickCount, spec.y.limits);
     const left = 12 + Math.max(spec.y.unit.length + 1, ...yTicks.map(({ text }) => text.length)) * CHARACTER_PX;
     x = linearScale(spec.x.domain, [left, width - MARGIN.right]);
@@ -169,6 +192,7 @@ export function createChart(host, { onCursor, onPick } = {}) {
     for (const dot of spec.dots) {
       if (isNumber(dot.value)) curves.append(svg("circle", { class: "dot", "data-style": dot.key, cx: x(dot.at), cy: y(dot.value), r: 4 }));
     }
+    if (measured.length) curves.append(svg("path", { class: "point", "data-style": spec.points.key, d: pointsPath(measured, x, y) }));
     overlay = svg("g", { class: "overlay" });
     surface.append(curves, overlay);
     drawCursor();

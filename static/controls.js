@@ -20,7 +20,7 @@ const PRESET_GROUPS = Object.values(SECTIONS).flatMap((section) => section.field
 /** Where the fault of each choice is shown; a pointer below one of these belongs to it unless a field claims it. */
 const CHOICE_POINTERS = {
   wheel: "/wheel", soil: "/soil", method: "/method", law: "/soil/pressure_sinkage", shear: "/soil/shear",
-  rule: "/contact", slip_sinkage: "/slip_sinkage",
+  rule: "/contact", slip_sinkage: "/slip_sinkage", braking_law: "/braking",
   normal_stress_radius: "/normal_stress_radius", peak_sinkage: "/peak_sinkage",
 };
 

@@ -22,6 +22,10 @@ export function symbolHtml(text) {
   return notation(text).map((part) => (part.subscript ? html("sub", {}, part.text) : part.text));
 }
 
+/** A sentence of the API: the names that it quotes in backticks stand as code. */
+export const sentenceHtml = (text) =>
+  text.split(/`([^`]*)`/).map((part, index) => (index % 2 ? html("code", {}, part) : part)).filter(Boolean);
+
 /** A line of SVG text in which "_x" sets a subscript. */
 export function svgText(attributes, text) {
   const node = svg("text", attributes);

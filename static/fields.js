@@ -3,7 +3,7 @@
 import { roundStep } from "./axis.js";
 
 /** A shown unit that differs from the API's by a power of ten; `si` tells people how the API counts. */
-const power = (text, exponent, si = "") => ({
+export const power = (text, exponent, si = "") => ({
   text,
   si,
   // Shifting the decimal point in the text keeps 20 mm at exactly 0.02 in the request; dividing would not always.
@@ -67,6 +67,9 @@ export const FIELDS = [
   { group: "linear", key: "ss_gain", name: "slip_sinkage_gain", pointer: "/slip_sinkage/gain",
     label: "Gain of the sinkage with slip", symbol: "S", unit: ONE,
     base: () => 1, slider: range(0, 5, 0.05) },
+
+  { group: "slip_angle", key: "beta_deg", name: "slip_angle", pointer: "/slip_angle_rad", label: "Slip angle", symbol: "β", unit: DEGREE, signed: true,
+    base: () => 0, slider: range(-45, 45, 0.5) },
 
   { group: "wheel", key: "radius_mm", name: "radius", pointer: "/wheel/radius_m", label: "Radius", symbol: "r", unit: MILLIMETRE,
     base: ({ wheel }) => wheel?.wheel.radius_m, slider: range(20, 600, 1) },
@@ -168,10 +171,13 @@ export function typingAdvice(field, text, context) {
   return `Type a number${alternative}${usual ? `, such as ${usual}` : ""}.`;
 }
 
+/** A value of the API as a text for the box. */
+export const fieldText = (field, value) => String(Number(field.unit.fromSi(value).toPrecision(SHOWN_DIGITS)));
+
 /** What the box shows while the field follows its preset. */
 export function baseText(field, context) {
   const base = field.base(context);
-  return base === undefined || base === null ? "" : String(Number(field.unit.fromSi(base).toPrecision(SHOWN_DIGITS)));
+  return base === undefined || base === null ? "" : fieldText(field, base);
 }
 
 export const shownText = (field, state, context) => state[field.key] ?? baseText(field, context);

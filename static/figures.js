@@ -31,7 +31,8 @@ export function profileSpec({ angles, columns }) {
       format: (value) => `${fixed(value, 1)}°`,
     },
     y: { unit: "kPa", format: (value) => withUnit(significant(value), "kPa") },
-    curves: STRESS_CURVES.map(({ key, name, column }) => ({ key, name, values: inKilopascal(columns[column]) })),
+    // Two zones of a braking wheel have no linear stresses.
+    curves: STRESS_CURVES.filter(({ column }) => columns[column].some((value) => value !== null)).map(({ key, name, column }) => ({ key, name, values: inKilopascal(columns[column]) })),
     marks: marks.map(({ key, at, symbol }) => ({ key, at, label: `${symbol} ${fixed(at, 1)}°` })),
     dots: [],
     rest: degrees(angles.maximum_stress_rad),
@@ -42,8 +43,38 @@ export function profileSpec({ angles, columns }) {
 const AXIS_LIMITS = { tractive_efficiency: { min: -50, max: 100 }, drawbar_coefficient: { min: -3, max: 3 } };
 const MISSING = { tractive_efficiency: "not defined", drawbar_coefficient: "not defined" };
 
+/** A column between its samples, for display; null beyond them and at gaps. */
+function between(slips, values, slip) {
+  const next = slips.findIndex((each) => each >= slip);
+  if (next < 0 || slip < slips[0]) return null;
+  const before = Math.max(0, next - 1);
+  const [from, to] = [values[before], values[next]];
+  if (from === null || to === null) return null;
+  return next === before ? to : from + ((slip - slips[before]) / (slips[next] - slips[before])) * (to - from);
+}
+
+/** Root of the mean squared distance of measured points from a curve, where it has values; null where it has none. */
+export function residualOf(name, measured, columns) {
+  const gaps = measured.slip.map((slip, row) => [between(columns.slip, columns[name], slip), measured[name][row]])
+    .filter(([shown]) => shown !== null).map(([shown, value]) => value - shown);
+  return { count: gaps.length, rms: gaps.length ? Math.sqrt(gaps.reduce((sum, gap) => sum + gap * gap, 0) / gaps.length) : null };
+}
+
+/** Measured points over a quantity's curve, with their distance from it, if the quantity was measured. */
+function pointsOf(name, measured, columns) {
+  if (!measured?.[name]) return null;
+  const { rms } = residualOf(name, measured, columns);
+  return {
+    key: "measured",
+    name: "Measured",
+    reading: rms === null ? "" : `rms ${quantity(name, rms)}`,
+    at: scaled(measured.slip, 100),
+    values: scaled(measured[name], QUANTITIES[name].factor),
+  };
+}
+
 /** `series`: curves by method; `byMethod`: outcomes at the chosen `slip`, which need not be among the sweep's. */
-export function sweepSpec(name, { series, byMethod, slip }) {
+export function sweepSpec(name, { series, byMethod, slip, method }, measured = null) {
   const { name: title, unit, factor } = QUANTITIES[name];
   const points = byMethod.filter(({ forces }) => forces.answer).map(({ method, forces: { answer } }) => ({
     method,
@@ -63,6 +94,7 @@ export function sweepSpec(name, { series, byMethod, slip }) {
     curves: series.map(({ method, columns }) => ({ key: method, name: METHOD_NAMES[method], values: scaled(columns[name], factor) })),
     marks: [{ key: "slip", at, label: `s ${percent(at)}` }],
     dots: points.filter(({ value }) => value !== null).map(({ method, value }) => ({ key: method, at, value: value * factor })),
+    points: pointsOf(name, measured, series.find((each) => each.method === method)?.columns ?? series[0].columns),
     rest: at >= slips[0] && at <= slips.at(-1) ? at : null,
   };
 }

@@ -16,6 +16,9 @@ export const QUANTITIES = {
   resistance_n: { name: "Resistance", unit: "N", factor: 1 },
   normal_support_n: { name: "Normal support", unit: "N", factor: 1 },
   shear_support_n: { name: "Shear support", unit: "N", factor: 1 },
+  lateral_force_n: { name: "Lateral force", unit: "N", factor: 1 },
+  overturning_moment_n_m: { name: "Overturning moment", unit: "N·m", factor: 1 },
+  aligning_moment_n_m: { name: "Aligning moment", unit: "N·m", factor: 1 },
   sinkage_modulus: { name: "Sinkage modulus", unit: "kPa/mᴺ", factor: 1e-3 },
   sinkage_exponent: { name: "Sinkage exponent", unit: "", factor: 1 },
   shearing_radius_m: { name: "Shearing radius", unit: "mm", factor: 1e3 },
@@ -62,6 +65,6 @@ export function quantity(name, value) {
 
 /** Splits "F_x" into its letter and its subscript, for HTML and SVG alike. */
 export function notation(text) {
-  return text.split(/(_\w)/).filter(Boolean)
+  return text.split(/(_[\p{L}\p{N}])/u).filter(Boolean)
     .map((part) => (part.startsWith("_") ? { text: part.slice(1), subscript: true } : { text: part, subscript: false }));
 }

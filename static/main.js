@@ -4,7 +4,7 @@
 //   #app[data-state]          loading | ready | fault | offline; #app[data-round] counts the rounds shown;
 //   #app[data-busy] is true while a round is in flight
 //   #notice: what of the address was not taken
-//   #wheel #soil #method #law #shear #slip-sinkage #rule #normal-stress-radius #peak-sinkage #fourth (selects), #compare #braking (check boxes),
+//   #wheel #soil #method #law #shear #slip-sinkage #rule #normal-stress-radius #peak-sinkage #fourth (selects), #compare #braking (check boxes), #braking-law (select),
 //   #by-sinkage #by-load #by-static (radio buttons)
 //   input[name="slip"] and so on: the number boxes; input[data-slider="slip"]: their sliders; names as in fields.js
 //   [data-reset="radius"], [data-reset-group="wheel"]: back to the preset; .field.changed marks a changed field
@@ -19,6 +19,10 @@
 //   #wheel-grade #soil-grade, #wheel-origin #soil-origin: grade, source, notes and values of the chosen entries
 //   #validation[data-state]: waiting | loading | ready | failed; in it tr[data-set], td[data-error][data-method][data-value],
 //   #validation-drawbar-chart #validation-sinkage-chart #validation-torque-chart
+//   #measurements[data-state]: empty | refused | ready; #measurements-file (file input), [data-column="0"] (selects), #measurements-faults li,
+//   td[data-rms="torque_n_m"][data-method][data-value], path.point[data-style="measured"] with a circle for each
+//   #identification[data-state]: idle | fitting | fitted | failed; input[data-fit="n0"], #fit-soil #cancel-fit #use-soil,
+//   tr[data-parameter] td[data-estimate][data-value], #fit-warnings li[data-warning], #fit-status
 //   #profile-csv #sweep-csv #copy-link #copy-curl #curl #curl-note #reset-all; button[data-gives="tiles|profile|sweep"] is
 //   disabled while that part is stale
 //   #open-model, dialog#model[open], #model-equations #erratum-1 and so on
@@ -30,11 +34,12 @@ import { createChart } from "./chart.js";
 import { createControls } from "./controls.js";
 import { connectEquations } from "./equations.js";
 import { profileSpec, sweepSpec } from "./figures.js";
+import { connectMeasurements } from "./measurements.js";
 import { showOrigin } from "./presets.js";
 import { createAnnouncer, showComparison, showGaps, showTiles, showWarnings } from "./results.js";
 import { createRounds } from "./rounds.js";
 import { createScene } from "./scene.js";
-import { contextOf, settingsOf } from "./settings.js";
+import { changesFor, contextOf, settingsOf } from "./settings.js";
 import { connectCopy, connectCsv } from "./share.js";
 import { DEFAULTS, offeredState, stateFromQuery } from "./state.js";
 import { createStatus } from "./status.js";
@@ -74,6 +79,11 @@ const slipCharts = Object.entries(SLIP_CHARTS).map(([id, quantityName]) => ({
     onPick: (percent) => change({ slip_pct: String(Number(percent.toFixed(6))) }, { discrete: true }),
   }),
 }));
+const measurements = connectMeasurements(byId("measurements"), {
+  settings: () => settingsOf(state, catalogue),
+  onData: drawSlipCharts,
+  onSoil: (found) => change(changesFor(found, state, catalogue), { discrete: true }),
+});
 const rounds = createRounds({ run: round, onUnavailable });
 const address = createAddress(() => state, () => {
   takeAddress();
@@ -168,7 +178,7 @@ function showOutcomes(settings, outcomes) {
     profileChart.draw(profileSpec(profile.answer));
   }
   if (sweep.answer) {
-    shown.sweep = { ...sweep, series, byMethod, slip: settings.slip };
+    shown.sweep = { ...sweep, series, byMethod, slip: settings.slip, method: settings.method };
     drawSlipCharts();
     showGaps(byId("gaps"), { series, load: settings.given.normal_load_n ?? null });
   }
@@ -182,7 +192,9 @@ function showOutcomes(settings, outcomes) {
 
 function drawSlipCharts() {
   if (!shown.sweep) return;
-  for (const { chart, quantityName } of slipCharts) chart.draw(sweepSpec(quantityName(), shown.sweep));
+  const measured = measurements.data();
+  for (const { chart, quantityName } of slipCharts) chart.draw(sweepSpec(quantityName(), shown.sweep, measured));
+  measurements.compare(shown.sweep.series);
 }
 
 function showFaults(faults, stale) {

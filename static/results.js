@@ -1,7 +1,7 @@
 // The numbers beside the charts: result tiles, the tables of methods, warnings, and the spoken summary.
 
 import { faultsOfProblem } from "./answers.js";
-import { html, symbolHtml } from "./elements.js";
+import { html, sentenceHtml, symbolHtml } from "./elements.js";
 import { METHOD_NAMES, QUANTITIES, fixed, quantity, withUnit } from "./format.js";
 import { worded } from "./wording.js";
 
@@ -19,6 +19,8 @@ export function showTiles(root, forces) {
     const value = results[name];
     tile.textContent = quantity(name, value);
     tile.dataset.value = value ?? "";
+    const optional = tile.closest("[data-optional]");
+    if (optional) optional.hidden = value === undefined;
     tile.title = value === null ? "Not defined at this operating point" : "";
   }
 }
@@ -67,7 +69,7 @@ export function showGaps(container, { series, load }) {
 
 export function showWarnings(list, warnings) {
   list.replaceChildren(...warnings.map(({ code, detail, methods }) =>
-    html("li", { "data-warning": code }, detail, ...(methods.length ? [" ", html("span", { class: "about" }, `(${methods.join(", ")})`)] : []))));
+    html("li", { "data-warning": code }, ...sentenceHtml(detail), ...(methods.length ? [" ", html("span", { class: "about" }, `(${methods.join(", ")})`)] : []))));
   list.hidden = warnings.length === 0;
 }
 

@@ -1,6 +1,6 @@
 // From the person's choices and the catalogue to the bodies of the API's requests.
 
-import { FIELDS, siFromText, typingAdvice } from "./fields.js";
+import { FIELDS, baseText, fieldText, siFromText, typingAdvice } from "./fields.js";
 
 const PROFILE_POINTS = 201;
 const SWEEP_POINTS = 101;
@@ -36,6 +36,8 @@ export function contextOf(state, catalogue) {
   };
   const radius = FIELDS.find((field) => field.name === "radius");
   context.radius = state[radius.key] === null ? wheel?.wheel.radius_m : siFromText(radius, state[radius.key]);
+  const slip = FIELDS.find((field) => field.name === "slip");
+  context.slip = state[slip.key] === null ? slip.base(context) : siFromText(slip, state[slip.key]);
   return context;
 }
 
@@ -45,6 +47,11 @@ export function activeGroups(state, context) {
   if (context.shearLaw === "janosi_hanamoto") groups.add("janosi_hanamoto");
   else groups.add("peak");
   if (context.shearLaw === "wong_residual") groups.add("residual");
+  // The closed forms know neither a slip angle nor two zones.
+  if (state.method === "quadrature" && !state.compare) {
+    groups.add("slip_angle");
+    if (context.braking || context.slip < 0) groups.add("braking_law");
+  }
   if (state.by === "static") groups.add("static_law");
   if (state.by === "static" && state.slip_sinkage === "linear") groups.add("linear");
   if (context.rule === "wong_reece") groups.add("wong_reece");
@@ -101,6 +108,8 @@ export function settingsOf(state, catalogue) {
       ...complete([state.by]),
       ...(state.by === "static" && state.slip_sinkage !== "lyasko" && { slip_sinkage: { law: state.slip_sinkage, ...complete(["linear"]) } }),
     },
+    brakingLaw: groups.has("braking_law") && state.braking_law !== "one_zone" ? { braking: state.braking_law } : {},
+    slipAngle: overrides("slip_angle"),
     givenName: GIVEN[state.by],
     method: state.method,
     methods: state.compare ? METHODS : [state.method],
@@ -136,7 +145,32 @@ export function compareBody(settings) {
 }
 
 export function forcesBody(settings, method) {
-  return { ...settings.common, slip: settings.slip, ...settings.given, method, ...options(settings, method) };
+  return { ...settings.common, slip: settings.slip, ...settings.given, ...settings.brakingLaw, ...settings.slipAngle, method, ...options(settings, method) };
+}
+
+/** `data` are measurements; what is on the page is what is known beside them, and where the search begins. */
+export function identifyBody(settings, fit, data) {
+  return { ...settings.common, method: settings.method, ...options(settings, settings.method), fit, data };
+}
+
+/** The changes of state that put a soil and a contact of the API into the controls. */
+export function changesFor({ soil, contact }, state, catalogue) {
+  const shearLaw = soil.shear?.law ?? "janosi_hanamoto";
+  const { followedLaw, followedShear, followedRule } = contextOf(state, catalogue);
+  const unless = (value, followed) => (value === followed ? null : value);
+  const changes = {
+    law: unless(soil.pressure_sinkage.law, followedLaw),
+    shear: unless(shearLaw, followedShear),
+    rule: unless(contact.rule, followedRule),
+  };
+  const context = contextOf({ ...state, ...changes }, catalogue);
+  const groups = activeGroups({ ...state, ...changes }, context);
+  for (const field of FIELDS.filter(({ pointer }) => /^\/(soil|contact)\//.test(pointer))) {
+    const value = field.pointer.slice(1).split("/").reduce((part, name) => part?.[name], { soil, contact });
+    const text = groups.has(field.group) && typeof value === "number" ? fieldText(field, value) : null;
+    changes[field.key] = unless(text, baseText(field, context));
+  }
+  return changes;
 }
 
 /** Over driving slips, and over braking ones too when these are wanted or the slip itself is one. */
@@ -152,6 +186,7 @@ export function profileBody(settings, sinkage) {
     ...settings.common,
     slip: settings.slip,
     ...given,
+    ...settings.brakingLaw,
     ...(settings.peakSinkage && { peak_sinkage: settings.peakSinkage }),
     points: PROFILE_POINTS,
   };

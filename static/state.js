@@ -13,6 +13,7 @@ const CHOICES = {
   by: "sinkage",
   compare: "",
   braking: "",
+  braking_law: "one_zone",
   law: null,
   shear: null,
   rule: null,

@@ -3,7 +3,7 @@
 
 import { validationSets } from "./api.js";
 import { createChart } from "./chart.js";
-import { html } from "./elements.js";
+import { html, sentenceHtml } from "./elements.js";
 import { METHOD_NAMES, fixed, quantity, withUnit } from "./format.js";
 
 const METHODS = Object.keys(METHOD_NAMES);
@@ -63,7 +63,7 @@ function describe({ id, title, source, grade, note, fitted_to: fitted, warnings 
     html("p", { class: "source" }, html("span", { class: "grade" }, GRADES[grade] ?? grade), " ", source, " ", html("a", { href: `/v1/validation/${id}` }, "JSON")),
     fitted && html("p", { class: "fitted" }, `Fitted: ${fitted}`),
     note && html("p", { class: "note" }, note),
-    ...warnings.map(({ code, detail }) => html("p", { class: "note", "data-warning": code }, detail)),
+    ...warnings.map(({ code, detail }) => html("p", { class: "note", "data-warning": code }, ...sentenceHtml(detail))),
   ];
   byId("validation-set").replaceChildren(...paragraphs.filter(Boolean));
 }

@@ -15,7 +15,7 @@ check("the explorer lists every operation of the document", async (page) => {
 
 check("the explorer sends a request and shows the answer", async (page) => {
   await page.goto(`${base}/docs`);
-  const operation = page.locator(".opblock", { has: page.locator('[data-path="/v1/forces"]') });
+  const operation = page.locator(".opblock.opblock-post", { has: page.locator('[data-path="/v1/forces"]') });
   await operation.locator(".opblock-summary").click();
   await operation.locator(".execute").click();
   await operation.locator(".live-responses-table .response-col_status").filter({ hasText: "200" }).waitFor();

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { LETTER, METHODS, ask, overSlip } from "./support/api.mjs";
 import { SLIP_CHARTS, assertSweep, drawn } from "./support/chart.mjs";
 import { check, run } from "./support/checks.mjs";
-import { FORCES, assertReads, open, picked, ready, valuesOf } from "./support/page.mjs";
+import { FORCES, assertAnswered, assertReads, box, open, picked, ready, valuesOf } from "./support/page.mjs";
 
 const rowsOf = (page) => page.$$eval("#comparison-table tr[data-method]", (rows) => rows.map((row) => ({
   method: row.dataset.method,
@@ -109,6 +109,34 @@ check("a chosen method alone gives its own forces and curves", async (page) => {
     await assertSweep(page, method, columns);
     assert.deepEqual(Object.keys((await drawn(page, "#torque-chart")).curves), [method]);
   }
+});
+
+check("a slip angle brings a lateral force and moments, and only the quadrature takes it", async (page) => {
+  await open(page);
+  assert.ok(await page.isHidden('[data-result="lateral_force_n"]'), "straight ahead there is none");
+  await box(page, "slip_angle").fill("10");
+  await ready(page);
+  const body = await assertAnswered(page);
+  assert.ok(Math.abs(body.slip_angle_rad - Math.PI / 18) < 1e-12);
+  for (const name of ["lateral_force_n", "overturning_moment_n_m", "aligning_moment_n_m"]) assert.ok(await page.isVisible(`[data-result="${name}"]`), name);
+  await page.selectOption("#method", "explicit");
+  await ready(page);
+  assert.equal((await assertAnswered(page)).slip_angle_rad, undefined);
+  assert.ok(await box(page, "slip_angle").isHidden(), "the closed forms have no slip angle");
+});
+
+check("two zones of a braking wheel are offered while it brakes", async (page) => {
+  await open(page);
+  assert.ok(await page.isHidden("#braking-law"), "a driving wheel has no choice");
+  await open(page, "?slip_pct=-20&by=load&load_n=60");
+  const one = await assertAnswered(page);
+  assert.equal(one.braking, undefined);
+  await page.selectOption("#braking-law", "two_zone");
+  await ready(page);
+  assert.equal((await assertAnswered(page)).braking, "two_zone");
+  await page.click("#compare");
+  await ready(page);
+  assert.equal((await assertAnswered(page)).braking, undefined, "the closed forms have one zone");
 });
 
 await run();

@@ -43,7 +43,7 @@ export async function valuesOf(page, names) {
   return Object.fromEntries(names.map((name) => [name, shown[name].value]));
 }
 
-export const picked = (answer, names) => Object.fromEntries(names.map((name) => [name, answer[name]]));
+export const picked = (answer, names) => Object.fromEntries(names.map((name) => [name, answer[name] ?? null]));
 
 const PER_UNIT = { N: 1, "N·m": 1, mm: 1e3, "%": 100, "kPa/mᴺ": 1e-3, "": 1 };
 
