@@ -6,6 +6,7 @@ use utoipa::ToSchema;
 
 use super::{Column, Warning};
 use crate::request::TrackPlan;
+use crate::series::StrengthCells;
 
 /// A wheel over time.
 #[derive(Debug, Default, Serialize, ToSchema)]
@@ -57,12 +58,35 @@ struct TrackColumns {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     longitudinal_force_coupled_n: Option<Column>,
+    /// With `strength`: cohesion c (Pa) of the line through the samples so far; null until they determine one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
+    cohesion_pa: Option<Column>,
+    /// With `strength`: tan φ (–).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
+    tan_friction: Option<Column>,
+    /// With `strength`: variance of c (Pa²).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
+    cohesion_variance_pa2: Option<Column>,
+    /// With `strength`: variance of tan φ (–).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
+    tan_friction_variance: Option<Column>,
+    /// With `strength`: covariance of c and tan φ (Pa).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
+    cohesion_tan_friction_covariance_pa: Option<Column>,
 }
 
 impl TrackReply {
     /// A reply without rows, with a column for the coupled form or without.
-    pub(crate) fn new(coupled: bool, rows: usize) -> Self {
+    pub(crate) fn new(coupled: bool, strength: bool, rows: usize) -> Self {
         let mut reply = Self::default();
+        for column in reply.columns.strength() {
+            *column = strength.then(Column::default);
+        }
         reply.columns.longitudinal_force_coupled_n = coupled.then(Column::default);
         for column in reply.columns.numbers() {
             column.0.reserve(rows);
@@ -70,7 +94,7 @@ impl TrackReply {
         reply
     }
 
-    pub(crate) fn push(&mut self, row: &TrackRow) {
+    pub(crate) fn push(&mut self, row: &TrackRow, strength: Option<&StrengthCells>) {
         let columns = &mut self.columns;
         for (column, value) in columns.numbers().into_iter().zip(crate::series::numbers(row)) {
             column.0.push(value);
@@ -78,6 +102,9 @@ impl TrackReply {
         columns.status.push(row.status.code());
         if let Some(coupled) = &mut columns.longitudinal_force_coupled_n {
             coupled.0.push(row.longitudinal_coupled);
+        }
+        for (column, value) in columns.strength().into_iter().flatten().zip(strength.into_iter().flatten()) {
+            column.0.push(*value);
         }
     }
 
@@ -88,6 +115,17 @@ impl TrackReply {
 }
 
 impl TrackColumns {
+    /// In the order of [`StrengthCells`].
+    fn strength(&mut self) -> [&mut Option<Column>; 5] {
+        [
+            &mut self.cohesion_pa,
+            &mut self.tan_friction,
+            &mut self.cohesion_variance_pa2,
+            &mut self.tan_friction_variance,
+            &mut self.cohesion_tan_friction_covariance_pa,
+        ]
+    }
+
     /// In the order of [`crate::series::NUMBERS`].
     fn numbers(&mut self) -> [&mut Column; crate::series::NUMBERS.len()] {
         [

@@ -2,7 +2,10 @@
 
 use std::cell::RefCell;
 
-use terramechanics::{Measured, Operation, Sample, SampleMotion, Sinkage, Thresholds, Tracker, Velocities};
+use terramechanics::{
+    Measured, Operation, Sample, SampleMotion, ShearLaw, Sinkage, Thresholds, Tracker, Velocities, WheelOnSoil,
+};
+use terramechanics_identification::RunningStrength;
 
 use super::operation::{self, MethodEntries, OperationEntries};
 use super::series::Samples;
@@ -32,7 +35,28 @@ wire_object! {
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
         thresholds: ThresholdsDto = Nested::optional("When the wheel counts as stuck."),
+        strength: StrengthDto = Nested::optional("Asks for a running estimate of cohesion and friction from the measured torque and the load; needs the column torque_n_m."),
         columns: ColumnsDto = Nested::required("The samples."),
+    }
+}
+
+wire_object! {
+    /// A running estimate of the soil's strength by recursive least squares (Iagnemma et al. 2004), with its covariance.
+    StrengthDto as "TrackStrength" {
+        forgetting_factor: f64 = Number::new("Weight (–) that a sample keeps as the next one comes; 1 forgets none.", 0.5, 1.0).or(0.99),
+    }
+}
+
+impl StrengthDto {
+    /// The estimate before the first sample, for a wheel on a soil whose shear modulus is known.
+    fn check(&self, system: &WheelOnSoil, place: &Scope<'_>) -> Option<RunningStrength> {
+        self.report_oddities(place);
+        let forgetting = self.forgetting_factor().or_default(place)?;
+        let ShearLaw::JanosiHanamoto(law) = system.soil.shear() else {
+            place.fault("is known for the shear law janosi_hanamoto only");
+            return None;
+        };
+        RunningStrength::new(system.wheel, law.modulus, forgetting)
     }
 }
 
@@ -63,6 +87,8 @@ pub(crate) struct TrackSettings {
     from_static: Option<Sinkage>,
     normal_load: Option<f64>,
     pub(crate) tracker: Tracker,
+    /// The running estimate of the strength, where it is asked for.
+    pub(crate) strength: Option<RunningStrength>,
 }
 
 /// How the cells of a series become samples.
@@ -113,12 +139,18 @@ impl TrackDto {
         let from_static = static_sinkage?.map(|static_sinkage| Sinkage::FromStatic { static_sinkage, law });
         let operation = Operation { sinkage: from_static.unwrap_or(kind), ..checked?.operation };
         let tracker = Tracker::new(operation, thresholds?).map_err(|invalid| place.fault(invalid)).ok()?;
-        Some(TrackSettings { operation, from_static, normal_load: normal_load?, tracker })
+        let strength = self.strength();
+        let strength = if strength.is_present() {
+            Some(strength.given(place)?.check(&operation.system, &place.field(strength.name))?)
+        } else {
+            None
+        };
+        Some(TrackSettings { operation, from_static, normal_load: normal_load?, tracker, strength })
     }
 }
 
 /// Whether samples with these columns can be followed; what is wrong with the columns is reported.
-fn check_columns(layout: Layout, static_sinkage: bool, normal_load: bool, place: &Scope<'_>) -> bool {
+fn check_columns(layout: Layout, static_sinkage: bool, normal_load: bool, strength: bool, place: &Scope<'_>) -> bool {
     let columns = place.field("columns");
     let has = |column: Column| layout.has(column);
     let mut sound = true;
@@ -142,6 +174,9 @@ fn check_columns(layout: Layout, static_sinkage: bool, normal_load: bool, place:
         refuse(columns.field(Column::NormalLoad.name()), "is given beside the columns as well");
     }
     let normal_load = normal_load || has(Column::NormalLoad);
+    if strength && !(normal_load && has(Column::Torque)) {
+        refuse(place.field("strength"), "needs a column `torque_n_m`, and `normal_load_n`");
+    }
     // With a measured torque or sinkage each of the two has a meaning of its own.
     if static_sinkage && normal_load && !has(Column::Torque) && !has(Column::Sinkage) {
         refuse(place.field("static_sinkage_m"), "only one of `static_sinkage_m` and `normal_load_n` may be given");
@@ -156,7 +191,7 @@ impl TrackSettings {
     /// How samples with the columns of `layout` are understood; the faults are those of its columns.
     pub(crate) fn plan(&self, layout: Layout, place: &Scope<'_>) -> Option<TrackPlan> {
         let Self { from_static, normal_load, .. } = *self;
-        check_columns(layout, from_static.is_some(), normal_load.is_some(), place).then_some(TrackPlan {
+        check_columns(layout, from_static.is_some(), normal_load.is_some(), self.strength.is_some(), place).then_some(TrackPlan {
             layout,
             from_static,
             normal_load,
@@ -207,7 +242,7 @@ impl Request for TrackDto {
         let samples = columns.and_then(|columns| columns.check(&place.field("columns")));
         if let Some(columns) = columns {
             let (static_sinkage, load) = (self.static_sinkage_m().is_present(), self.normal_load_n().is_present());
-            check_columns(columns.layout(), static_sinkage, load, place);
+            check_columns(columns.layout(), static_sinkage, load, self.strength().is_present(), place);
         }
         Some(TrackQuery { settings: settings?, samples: samples? })
     }

@@ -11,7 +11,7 @@ pub(crate) use csv::all as all_of_csv;
 use ndjson::NdjsonReader;
 pub(crate) use run::Run;
 use writer::{Ending, RowFormat, Table};
-pub(crate) use writer::{NUMBERS, numbers};
+pub(crate) use writer::{NUMBERS, StrengthCells, numbers};
 
 use std::fmt;
 

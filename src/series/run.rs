@@ -3,9 +3,10 @@
 use std::cell::RefCell;
 
 use axum::body::Bytes;
-use terramechanics::{Operation, Tracker};
+use terramechanics::{Measured, Operation, Sample, SampleMotion, Slip, TrackRow, Tracker};
+use terramechanics_identification::{RollingSample, RunningStrength};
 
-use super::{Column, Ending, NdjsonReader, Read, Reader, RowFormat, Table};
+use super::{Column, Ending, NdjsonReader, Read, Reader, RowFormat, StrengthCells, Table};
 use crate::compute::Cost;
 use crate::extract::SeriesForm;
 use crate::problem::Problem;
@@ -37,6 +38,7 @@ enum Source {
 struct Started {
     plan: TrackPlan,
     tracker: Tracker,
+    strength: Option<RunningStrength>,
     sink: Sink,
     /// Rows of a slice.
     rows: usize,
@@ -76,17 +78,19 @@ impl Run {
             return Err(Problem::Invalid(faults.into_inner()));
         };
         let coupled = plan.is_coupled();
+        let strength = self.settings.strength;
+        let table = |format| Sink::Rows(Table { format, coupled, strength: strength.is_some() });
         let sink = match self.form {
-            SeriesForm::Json => Sink::Columns(Box::new(TrackReply::new(coupled, rows))),
-            SeriesForm::Csv => Sink::Rows(Table { format: RowFormat::Csv, coupled }),
-            SeriesForm::Ndjson => Sink::Rows(Table { format: RowFormat::Ndjson, coupled }),
+            SeriesForm::Json => Sink::Columns(Box::new(TrackReply::new(coupled, strength.is_some(), rows))),
+            SeriesForm::Csv => table(RowFormat::Csv),
+            SeriesForm::Ndjson => table(RowFormat::Ndjson),
         };
         if let Sink::Rows(table) = &sink {
             table.head(output);
         }
         let typical = Operation { sinkage: plan.sample(&[1.0; Column::COUNT]).sinkage, ..self.settings.operation };
         let rows = Cost::points_in_a_slice(&typical);
-        self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), sink, rows });
+        self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), strength, sink, rows });
         Ok(())
     }
 
@@ -119,17 +123,42 @@ impl Run {
     }
 }
 
+/// The estimate after a sample; one without a result, a torque or a load leaves it as it was.
+fn running_strength(running: &mut RunningStrength, sample: &Sample, row: &TrackRow) -> StrengthCells {
+    if let (true, Some(Measured { torque, normal_load }), Ok(slip)) = (row.status.is_good(), sample.measured, Slip::new(row.slip))
+        && torque.is_finite()
+        && normal_load > 0.0
+    {
+        // A wheel that moves backwards is the mirror image: its torque drives it the other way.
+        let backward = matches!(sample.motion, SampleMotion::Velocities(of) if of.forward < 0.0 || of.angular < 0.0);
+        let torque = if backward { -torque } else { torque };
+        // The row has a sinkage within the wheel, so that the sample is taken or mobilises too little to be of use.
+        let _ = running.take(&RollingSample { slip, sinkage: row.sinkage, load: normal_load, torque });
+    }
+    running.estimate().map_or([f64::NAN; 5], |estimate| {
+        [
+            estimate.cohesion,
+            estimate.tan_friction,
+            estimate.cohesion_variance,
+            estimate.tan_friction_variance,
+            estimate.covariance,
+        ]
+    })
+}
+
 impl Started {
     fn row(&mut self, cells: &super::Cells, output: &mut Vec<u8>) -> Result<(), Problem> {
-        let row = self.tracker.push(&self.plan.sample(cells));
+        let sample = self.plan.sample(cells);
+        let row = self.tracker.push(&sample);
+        let strength = self.strength.as_mut().map(|running| running_strength(running, &sample, &row));
         match &mut self.sink {
-            Sink::Rows(table) => table.row(&row, output),
+            Sink::Rows(table) => table.row(&row, strength.as_ref(), output),
             Sink::Columns(_) if self.tracker.rows() > MOST_IN_COLUMNS => {
                 let detail =
                     format!("an answer in columns has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson");
                 return Err(Problem::Invalid(vec![FieldFault { pointer: String::new(), detail }]));
             }
-            Sink::Columns(reply) => reply.push(&row),
+            Sink::Columns(reply) => reply.push(&row, strength.as_ref()),
         }
         Ok(())
     }

@@ -31,6 +31,13 @@ pub(crate) const NUMBERS: [&str; 10] = [
 /// Name of the pull by Ding's coupled form.
 pub(crate) const COUPLED: &str = "longitudinal_force_coupled_n";
 
+/// Names of the running estimate of the strength and its covariance, the last columns where they are asked for.
+pub(crate) const STRENGTH: [&str; 5] =
+    ["cohesion_pa", "tan_friction", "cohesion_variance_pa2", "tan_friction_variance", "cohesion_tan_friction_covariance_pa"];
+
+/// A running estimate, in the order of [`STRENGTH`]; NaN as long as the samples do not determine it.
+pub(crate) type StrengthCells = [f64; STRENGTH.len()];
+
 /// The numbers of a row, in the order of [`NUMBERS`].
 pub(crate) fn numbers(row: &TrackRow) -> [f64; NUMBERS.len()] {
     [
@@ -53,6 +60,8 @@ pub(crate) struct Table {
     pub(crate) format: RowFormat,
     /// Whether there is a column for the pull by the coupled form.
     pub(crate) coupled: bool,
+    /// Whether there are columns for the running estimate of the strength.
+    pub(crate) strength: bool,
 }
 
 impl Table {
@@ -65,11 +74,15 @@ impl Table {
                 out.push(b',');
                 out.extend_from_slice(COUPLED.as_bytes());
             }
+            if self.strength {
+                out.push(b',');
+                out.extend_from_slice(STRENGTH.join(",").as_bytes());
+            }
             out.push(b'\n');
         }
     }
 
-    pub(crate) fn row(self, row: &TrackRow, out: &mut Vec<u8>) {
+    pub(crate) fn row(self, row: &TrackRow, strength: Option<&StrengthCells>, out: &mut Vec<u8>) {
         let status = row.status.code().as_bytes();
         match self.format {
             RowFormat::Csv => {
@@ -81,6 +94,10 @@ impl Table {
                 if self.coupled {
                     out.push(b',');
                     number(row.longitudinal_coupled, b"", out);
+                }
+                for &value in strength.into_iter().flatten() {
+                    out.push(b',');
+                    number(value, b"", out);
                 }
                 out.push(b'\n');
             }
@@ -102,6 +119,10 @@ impl Table {
                 if self.coupled {
                     named(COUPLED, out);
                     number(row.longitudinal_coupled, b"null", out);
+                }
+                for (name, &value) in STRENGTH.iter().zip(strength.into_iter().flatten()) {
+                    named(name, out);
+                    number(value, b"null", out);
                 }
                 out.extend_from_slice(b"}\n");
             }

@@ -205,6 +205,7 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         "/lambda_a" | "/lambda_b" if path == "/v1/compare" => json!({"methods": ["explicit"]}),
         "/lambda_a" | "/lambda_b" => json!({"method": "explicit"}),
         pointer if pointer.starts_with("/thresholds/") => json!({"thresholds": {}}),
+        pointer if pointer.starts_with("/strength/") => json!({"strength": {}}),
         _ => json!({}),
     };
     let mut body = with(&body, around);
@@ -212,6 +213,9 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         let columns = json!({"time_s": [0, 1], "slip": [0, 0.1]});
         let given = if field.pointer == "/normal_load_n" { "normal_load_n" } else { "static_sinkage_m" };
         body = with(&body, json!({"slip": null, "sinkage_m": null, given: 1e-4, "columns": columns}));
+        if field.pointer.starts_with("/strength/") {
+            body = with(&body, json!({"columns": {"torque_n_m": [0.1, 0.2], "normal_load_n": [10, 10]}}));
+        }
     }
     for (pointer, tag, name) in &field.variants {
         if tag == "rule" {
