@@ -19,11 +19,15 @@ const TOLERANCE: f64 = 1e-13;
 /// Residual, relative to the scale of the normal force, beyond which a balance counts as not met.
 const LARGEST_RESIDUAL: f64 = 1e-9;
 
-/// Steps outward for a bracket; each is at least [`STRIDE`], so they span any sinkage a double can name in the end.
-const BRACKET_STEPS: u32 = 60;
+/// Steps outward for a bracket: the least growth of each adds up to 27 decades of sinkage.
+const BRACKET_STEPS: u32 = 30;
 
-/// Smallest factor of an outward step.
-const STRIDE: f64 = 1.02;
+/// Least growth of the first outward step; it doubles with every step, for near a contact that carries a load without any
+/// depth (two zones in cohesive soil) a line through the origin says little about where the load is.
+const FIRST_STRIDE: f64 = 0.02;
+
+/// Largest factor of an outward step.
+const LONGEST_STRIDE: f64 = 16.0;
 
 /// Share of a least sinkage beyond it within which no balance is sought: digits are left to tell the two apart.
 const NEAREST: f64 = 1e-12;
@@ -133,7 +137,10 @@ impl Balance<'_> {
         let span = self.most - self.least;
         let nearest = NEAREST * self.least;
         let mut here = self.sample(self.bekker_estimate().max(nearest).min(span))?;
+        let mut stride = FIRST_STRIDE;
         for _ in 0..BRACKET_STEPS {
+            let shortest = (1.0 + stride).min(LONGEST_STRIDE);
+            stride *= 2.0;
             // Where a straight line through the origin says the load is, and a little beyond.
             let ratio = self.level / (here.y + self.level);
             let next = if here.y < 0.0 {
@@ -141,14 +148,14 @@ impl Balance<'_> {
                     return self.carried_before_the_axle();
                 }
                 let factor = if ratio.is_finite() && ratio > 1.0 { 1.0 + (ratio - 1.0) * 1.2 } else { 2.0 };
-                self.sample((here.x * factor.clamp(STRIDE, 16.0)).min(span))?
+                self.sample((here.x * factor.clamp(shortest, LONGEST_STRIDE)).min(span))?
             } else {
                 if here.x <= nearest {
                     let (least, sinkage) = (self.forces(here.x)?.normal, self.sinkage(here.x));
                     return Err(Error::LoadTooLight { load: self.load, least, sinkage });
                 }
                 let factor = if ratio.is_finite() && ratio > 0.0 { 1.0 - (1.0 - ratio) * 1.2 } else { 0.5 };
-                self.sample((here.x * factor.clamp(1.0 / 16.0, 1.0 / STRIDE)).max(nearest))?
+                self.sample((here.x * factor.clamp(1.0 / LONGEST_STRIDE, 1.0 / shortest)).max(nearest))?
             };
             match (here.y < 0.0, next.y < 0.0) {
                 (true, false) => return Ok((here, next)),

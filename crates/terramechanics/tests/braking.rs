@@ -276,6 +276,23 @@ prop_compose! {
     }
 }
 
+/// Cohesion bears a load on the arc that a wheel with two zones touches at no depth: a little more than that takes little depth.
+#[test]
+fn a_load_a_little_above_what_cohesion_bears_is_balanced() {
+    let shear = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.08 });
+    let soil = SoilParams { cohesion: 1300.0, friction_angle: 0.97, shear, ..LETTER_SOIL };
+    let system = two_zones(system(LETTER_WHEEL, soil, contact(PeakRule::Midpoint, -0.67)));
+    let rolling = system.rolling(slip(-0.3)).expect("a wheel");
+    let Err(Error::LoadTooLight { least, .. }) = QUADRATURE_AT_RIM().solve_sinkage(&rolling, 1e-3) else {
+        panic!("cohesion bears a load of its own")
+    };
+    for share in [1e-6, 1e-4, 1e-2, 1.0] {
+        let load = least * (1.0 + share);
+        let carried = QUADRATURE_AT_RIM().solve_sinkage(&rolling, load).expect("a balance");
+        assert!((carried.forces.normal / load - 1.0).abs() <= SOLVED, "{share}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
