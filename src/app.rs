@@ -26,6 +26,8 @@ pub struct Limits {
     pub compute_deadline: Duration,
     /// Long computations that may run or wait.
     pub compute_places: usize,
+    /// Streams that may be open.
+    pub stream_places: usize,
     /// Time in which something of a stream has to arrive, and something of its answer has to be taken.
     pub stream_idle: Duration,
     /// Time in which a stream has to end.
@@ -39,6 +41,7 @@ impl Default for Limits {
             body_deadline: Duration::from_secs(10),
             compute_deadline: Duration::from_secs(30),
             compute_places: 64,
+            stream_places: 64,
             stream_idle: Duration::from_secs(30),
             stream_deadline: Duration::from_secs(3600),
         }
@@ -61,7 +64,7 @@ impl Service {
     /// A service with these limits.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
-        let pool = Pool::new(limits.compute_places, limits.compute_deadline);
+        let pool = Pool::new(limits.compute_places, limits.stream_places, limits.compute_deadline);
         let metrics = Metrics::new(&pool);
         Self(Arc::new(Shared { limits, pool, metrics, stopping: AtomicBool::new(false) }))
     }

@@ -88,22 +88,30 @@ impl Cost {
     }
 }
 
-/// The pool for long computations.
+/// The pool for long computations. Streams have places of their own: they are open for as long as their clients send, and
+/// must not keep the others out.
 #[derive(Debug, Clone)]
 pub(crate) struct Pool {
     places: Arc<Semaphore>,
+    stream_places: Arc<Semaphore>,
     deadline: Duration,
 }
 
 impl Pool {
-    /// A pool that takes `places` computations, waiting or running; the runtime bounds how many run at once.
-    pub(crate) fn new(places: usize, deadline: Duration) -> Self {
-        Self { places: Arc::new(Semaphore::new(places)), deadline }
+    /// A pool that takes `places` computations and `stream_places` streams, waiting or running; the runtime bounds how many run
+    /// at once.
+    pub(crate) fn new(places: usize, stream_places: usize, deadline: Duration) -> Self {
+        Self { places: Arc::new(Semaphore::new(places)), stream_places: Arc::new(Semaphore::new(stream_places)), deadline }
     }
 
-    /// Places that are free.
+    /// Places that are free for computations.
     pub(crate) fn free_places(&self) -> usize {
         self.places.available_permits()
+    }
+
+    /// Places that are free for streams.
+    pub(crate) fn free_stream_places(&self) -> usize {
+        self.stream_places.available_permits()
     }
 
     /// A place for a computation that goes on in slices.
@@ -111,7 +119,15 @@ impl Pool {
     /// # Errors
     /// [`Problem::Busy`] if none is free.
     pub(crate) fn place(&self) -> Result<Place, Problem> {
-        self.places.clone().try_acquire_owned().map(Place).map_err(|_| Problem::Busy)
+        Place::of(&self.places)
+    }
+
+    /// A place for a stream.
+    ///
+    /// # Errors
+    /// [`Problem::Busy`] if none is free.
+    pub(crate) fn stream_place(&self) -> Result<Place, Problem> {
+        Place::of(&self.stream_places)
     }
 
     /// What `work` returns, run where its cost allows.
@@ -127,7 +143,7 @@ impl Pool {
         if cost <= Cost::LONGEST_AT_ONCE {
             return work();
         }
-        let place = self.places.clone().try_acquire_owned().map_err(|_| Problem::Busy)?;
+        let place = self.place()?;
         let task = tokio::task::spawn_blocking(move || {
             let _place = place; // free again when the work is done, not when its client has gone
             work()
@@ -148,6 +164,10 @@ impl Pool {
 pub(crate) struct Place(#[expect(dead_code, reason = "held, not read")] OwnedSemaphorePermit);
 
 impl Place {
+    fn of(places: &Arc<Semaphore>) -> Result<Self, Problem> {
+        places.clone().try_acquire_owned().map(Self).map_err(|_| Problem::Busy)
+    }
+
     /// What a slice of work returns.
     ///
     /// # Errors
@@ -212,7 +232,7 @@ mod tests {
     #[test]
     fn a_full_pool_is_busy_and_frees_its_places() {
         runtime().block_on(async {
-            let pool = Pool::new(1, Duration::from_secs(10));
+            let pool = Pool::new(1, 1, Duration::from_secs(10));
             let (release, wait) = std::sync::mpsc::channel::<()>();
             let first = {
                 let pool = pool.clone();
@@ -232,13 +252,13 @@ mod tests {
     #[test]
     fn late_work_and_panics_are_problems() {
         runtime().block_on(async {
-            let pool = Pool::new(2, Duration::from_millis(20));
+            let pool = Pool::new(2, 1, Duration::from_millis(20));
             let late = pool.run(LONG, || {
                 std::thread::sleep(Duration::from_millis(200));
                 Ok(())
             });
             assert_eq!(late.await, Err(Problem::Late(Duration::from_millis(20))));
-            let pool = Pool::new(2, Duration::from_secs(10));
+            let pool = Pool::new(2, 1, Duration::from_secs(10));
             assert_eq!(pool.run(LONG, || -> Result<(), Problem> { panic!("on purpose") }).await, Err(Problem::Internal));
             assert_eq!(pool.run(LONG, || Ok(())).await, Ok(()));
         });

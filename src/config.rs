@@ -77,6 +77,10 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_BODY_LIMIT", default_value_t = 1 << 20, value_parser = clap::value_parser!(u32).range(1024..=64 << 20), value_name = "BYTES")]
     pub body_limit: u32,
 
+    /// Streams that may be open; beyond that the answer is 503.
+    #[arg(long, env = "TERRAMECHANICS_STREAM_PLACES", default_value_t = 64, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
+    pub stream_places: u16,
+
     /// Seconds after which a stream is ended that neither sends nor takes anything.
     #[arg(long, env = "TERRAMECHANICS_STREAM_IDLE_TIMEOUT", default_value_t = 30, value_parser = seconds(), value_name = "SECONDS")]
     pub stream_idle_timeout: u64,
@@ -112,6 +116,7 @@ impl Serve {
             body_deadline: Duration::from_secs(self.read_timeout),
             compute_deadline: Duration::from_secs(self.compute_timeout),
             compute_places: usize::from(self.compute_places),
+            stream_places: usize::from(self.stream_places),
             stream_idle: Duration::from_secs(self.stream_idle_timeout),
             stream_deadline: Duration::from_secs(self.stream_timeout),
         }

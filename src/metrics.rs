@@ -26,6 +26,7 @@ pub struct Metrics {
     durations: Histogram,
     connections: Gauge,
     places: Gauge,
+    stream_places: Gauge,
     pool: Pool,
 }
 
@@ -40,12 +41,13 @@ impl Metrics {
         let mut registry = Registry::default();
         let requests = Family::default();
         let durations = Histogram::new(exponential_buckets(20e-6, 4.0, 9)); // 20 µs to 1.3 s
-        let (connections, places) = (Gauge::default(), Gauge::default());
+        let (connections, places, stream_places) = (Gauge::default(), Gauge::default(), Gauge::default());
         registry.register("http_requests", "Requests answered", requests.clone());
         registry.register_with_unit("http_request_duration", "Time to an answer", Unit::Seconds, durations.clone());
         registry.register("http_connections", "Open connections", connections.clone());
         registry.register("compute_places_free", "Free places for long computations", places.clone());
-        Self { registry, requests, durations, connections, places, pool: pool.clone() }
+        registry.register("stream_places_free", "Free places for streams", stream_places.clone());
+        Self { registry, requests, durations, connections, places, stream_places, pool: pool.clone() }
     }
 
     /// A request was answered.
@@ -68,7 +70,9 @@ impl Metrics {
 
     /// All metrics as text.
     pub(crate) fn text(&self) -> Result<String, fmt::Error> {
-        self.places.set(i64::try_from(self.pool.free_places()).unwrap_or(i64::MAX));
+        for (gauge, free) in [(&self.places, self.pool.free_places()), (&self.stream_places, self.pool.free_stream_places())] {
+            gauge.set(i64::try_from(free).unwrap_or(i64::MAX));
+        }
         let mut text = String::new();
         encode(&mut text, &self.registry)?;
         Ok(text)

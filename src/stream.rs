@@ -1,6 +1,6 @@
 //! Answers that are written while the question still arrives.
 //!
-//! A stream has a place on the pool and at most one piece of input and one of output in memory. The next input is taken only
+//! A stream has a place of its own kind on the pool and at most one piece of input and one of output in memory. The next input is taken only
 //! when the output before it was, so a slow reader slows the writer down.
 
 use axum::body::{Body, Bytes, HttpBody};

@@ -6,6 +6,7 @@ use axum::response::Response;
 
 use super::responses::{InvalidSeries, Limits};
 use crate::app::{self, Service};
+use crate::compute::Place;
 use crate::extract::{Input, SeriesForm, read_query};
 use crate::problem::Problem;
 use crate::reply::TrackReply;
@@ -37,18 +38,19 @@ use crate::stream;
     responses((status = 200, description = "The wheel over time", content((TrackReply = "application/json"), (String = "text/csv"), (String = "application/x-ndjson"))), InvalidSeries, Limits)
 )]
 pub(crate) async fn track(State(service): State<Service>, request: Request) -> Result<Response, Problem> {
-    let run = run(&service, request).await?;
-    stream::answer(run.run, run.body, service.pool().place()?, &run.limits).await
+    let asked = asked(&service, request).await?;
+    stream::answer(asked.run, asked.body, asked.place, &asked.limits).await
 }
 
 /// What a request asks for, what is left of its body, and the limits that hold for it.
 struct Asked {
     run: Run,
     body: Body,
+    place: Place,
     limits: app::Limits,
 }
 
-async fn run(service: &Service, request: Request) -> Result<Asked, Problem> {
+async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
     let form = SeriesForm::of_body(request.headers())?;
     let wanted = form.of_answer(request.headers());
     let limits = *service.limits();
@@ -56,8 +58,10 @@ async fn run(service: &Service, request: Request) -> Result<Asked, Problem> {
         let Input(query) = Input::<TrackDto>::from_request(request, service).await?;
         // All is there already, so that it is a computation like any other.
         let limits = app::Limits { stream_deadline: limits.compute_deadline, ..limits };
-        return Ok(Asked { run: Run::over_samples(query, wanted), body: Body::empty(), limits });
+        let place = service.pool().place()?;
+        return Ok(Asked { run: Run::over_samples(query, wanted), body: Body::empty(), place, limits });
     }
     let settings = checked_settings(&read_query(request.uri())?).map_err(Problem::Invalid)?;
-    Ok(Asked { run: Run::over_stream(settings, form, wanted), body: request.into_body(), limits })
+    let place = service.pool().stream_place()?;
+    Ok(Asked { run: Run::over_stream(settings, form, wanted), body: request.into_body(), place, limits })
 }

@@ -8,7 +8,7 @@ use http_body_util::{BodyExt, channel};
 use terramechanics_server::{Limits, Service, app};
 use tower::ServiceExt;
 
-use crate::asking::{request, runtime, send_to};
+use crate::asking::{letter, request, runtime, send_to};
 use crate::track::{TABLE, path, settings};
 
 /// A body whose pieces are sent by hand, and the answer to it.
@@ -121,14 +121,19 @@ fn a_slow_reader_slows_the_writer_down() {
 }
 
 #[test]
-fn an_open_stream_has_a_place_and_a_full_house_is_told_before_the_start() {
-    let service = Service::new(Limits { compute_places: 1, ..Limits::default() });
+fn an_open_stream_has_a_place_of_its_own_kind_and_a_full_house_is_told_before_the_start() {
+    let service = Service::new(Limits { stream_places: 1, compute_places: 1, ..Limits::default() });
     runtime().block_on(async {
         let (sender, response) = open(service.clone()).await;
         let refused = request("POST", &path(&settings()), &[("content-type", "text/csv")], TABLE);
         let busy = app(service.clone()).oneshot(refused).await.expect("an answer");
         assert_eq!(busy.status(), StatusCode::SERVICE_UNAVAILABLE);
         assert!(busy.headers().contains_key("retry-after"));
+        let mut sweep = letter();
+        sweep["slip"] = serde_json::json!({"from": 0, "to": 1, "points": 101});
+        let long = request("POST", "/v1/slip-sweep", &[("content-type", "application/json")], sweep.to_string());
+        let computed = app(service.clone()).oneshot(long).await.expect("an answer");
+        assert_eq!(computed.status(), StatusCode::OK, "computations have places of their own");
         drop(sender);
         response.into_body().collect().await.expect("a body");
         let (sender, response) = open(service).await;
