@@ -22,8 +22,9 @@
 use crate::caution::{Caution, NEGATIVE_NORMAL_STRESS};
 use crate::error::{Error, Fault, Parameter, Requirement};
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
+use crate::rolling::Rolling;
 use crate::slip::Heading;
-use crate::stress::{ContactPatch, Rolling};
+use crate::stress::ContactPatch;
 
 /// Share of the support by the normal stress that has to be left by the shear stress of a braking wheel: with less, seven
 /// digits of the torque would be lost in the difference.

@@ -11,7 +11,7 @@
 use crate::error::{Error, Fault, Parameter, Requirement};
 use crate::forces::{ForceModel, Forces};
 use crate::numerics::brent::{Sample, bracketed_root};
-use crate::stress::Rolling;
+use crate::rolling::Rolling;
 
 /// Relative tolerance of the sinkage: what the quadrature's own error allows.
 const TOLERANCE: f64 = 1e-13;

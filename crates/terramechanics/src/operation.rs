@@ -3,9 +3,9 @@
 use crate::contact::Angles;
 use crate::error::Error;
 use crate::forces::{ForceModel, Forces};
+use crate::rolling::{Rolling, WheelOnSoil};
 use crate::slip::Slip;
 use crate::slip_sinkage::SlipSinkage;
-use crate::stress::{Rolling, WheelOnSoil};
 
 /// How the sinkage is known.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -70,7 +70,7 @@ impl StressProfile {
         self.theta.len()
     }
 
-    /// Whether there are none, as in a profile not yet filled.
+    /// Whether there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.theta.is_empty()

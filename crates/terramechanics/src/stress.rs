@@ -8,140 +8,13 @@
 //! | (6) exponent of E | [`ContactPatch::shear_displacement`] |
 //!
 //! Departures: Eq. (3) holds ahead of the peak and Eq. (4) behind it, the other way round than printed (erratum 1); for (6)
-//! see `shear/`. At s < 0 the displacement may follow another law instead (`braking/`). All differences of circular functions are written as products, so that a light wheel on firm ground
-//! (z/r = 1e-6) keeps its digits.
+//! see `shear/`. At s < 0 the displacement may follow another law instead (`braking/`). All differences of circular functions
+//! are written as products, so that a light wheel on firm ground (z/r = 1e-6) keeps its digits.
 
 use crate::braking::Zones;
-use crate::contact::{Angles, Contact};
-use crate::error::Error;
-use crate::numerics::brent::{Sample, bracketed_root};
+use crate::contact::Angles;
 use crate::numerics::circular::HalfArc;
-use crate::pressure_sinkage::PlateConditions;
-use crate::slip::Slip;
-use crate::soil::Soil;
-use crate::wheel::Wheel;
-
-/// A wheel on a soil, touching it in a given way.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WheelOnSoil {
-    /// The wheel.
-    pub wheel: Wheel,
-    /// The soil.
-    pub soil: Soil,
-    /// How the contact lies on the rim.
-    pub contact: Contact,
-}
-
-/// A wheel on a soil at one slip: all that does not depend on the sinkage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rolling<'a> {
-    /// The wheel, the soil and the rule of the contact.
-    pub system: &'a WheelOnSoil,
-    /// The slip.
-    pub slip: Slip,
-    modulus: f64,
-    exponent: f64,
-    velocity_ratio: f64,
-    velocity_complement: f64,
-    /// θ0 where the law of braking has two zones.
-    reversal: Option<f64>,
-}
-
-impl WheelOnSoil {
-    /// The wheel rolling at `slip`.
-    ///
-    /// # Errors
-    /// [`Error::ExponentNotPositive`] and [`Error::ModulusNotPositive`].
-    #[inline(always)] // as a call it takes a third longer to the explicit forces: its answer passes through memory
-    pub fn rolling(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
-        let law = self.soil.pressure_sinkage();
-        let exponent = law.exponent().at(slip);
-        if exponent <= 0.0 {
-            return Err(Error::ExponentNotPositive { exponent });
-        }
-        let modulus = law.sinkage_modulus(&PlateConditions {
-            width: self.wheel.width(),
-            diameter: 2.0 * self.wheel.radius(),
-            cohesion: self.soil.cohesion(),
-            exponent,
-        });
-        if modulus.is_nan() || modulus <= 0.0 {
-            return Err(Error::ModulusNotPositive { modulus });
-        }
-        let (velocity_ratio, velocity_complement) = slip.velocity_ratio();
-        let reversal = self.contact.braking().reversal(slip, &self.soil);
-        Ok(Rolling { system: self, slip, modulus, exponent, velocity_ratio, velocity_complement, reversal })
-    }
-}
-
-impl Rolling<'_> {
-    /// Sinkage modulus K_s (Pa/m^N).
-    #[must_use]
-    pub fn sinkage_modulus(&self) -> f64 {
-        self.modulus
-    }
-
-    /// Sinkage exponent N (–).
-    #[must_use]
-    pub fn sinkage_exponent(&self) -> f64 {
-        self.exponent
-    }
-
-    /// The contact at `sinkage` z (m).
-    ///
-    /// # Errors
-    /// [`Error::SinkageOutsideWheel`] unless 0 < z ≤ r, [`Error::PeakOutsideContact`], [`Error::ReversalOutsideContact`].
-    pub fn contact(&self, sinkage: f64) -> Result<ContactPatch<'_>, Error> {
-        let radius = self.system.wheel.radius();
-        if !(sinkage > 0.0 && sinkage <= radius) {
-            return Err(Error::SinkageOutsideWheel { sinkage, radius });
-        }
-        let depth_ratio = sinkage / radius;
-        let angles = match self.reversal {
-            None => self.system.contact.angles(depth_ratio, self.slip)?,
-            Some(reversal) => self.system.contact.angles_parted_at(reversal, depth_ratio)?,
-        };
-        Ok(ContactPatch {
-            rolling: self,
-            sinkage,
-            angles,
-            sin_entry: (depth_ratio * (2.0 - depth_ratio)).sqrt(),
-            cos_entry: 1.0 - depth_ratio, // Eq. (3) at θ = 0
-        })
-    }
-
-    /// θ* (rad): the rim of a braking wheel slips forwards over the soil between −θ* and θ*, where cos θ > 1/κ, and backwards
-    /// elsewhere; that of a driving wheel backwards throughout, and least at θ* = 0.
-    pub(crate) fn turning(&self) -> f64 {
-        // arccos(1 + s), written for small slip.
-        2.0 * (-0.5 * self.slip.ratio().min(0.0)).sqrt().asin()
-    }
-
-    /// Sinkages (m) between which the wheel can have a contact: the lower one, not itself one of them, is 0 unless two zones
-    /// take a depth of their own.
-    pub(crate) fn sinkages(&self) -> (f64, f64) {
-        let radius = self.system.wheel.radius();
-        self.reversal.map_or((0.0, radius), |reversal| self.system.contact.sinkages_parted_at(reversal, radius))
-    }
-
-    /// κ = v/(rω) and 1 − κ.
-    #[inline]
-    pub(crate) fn velocity_ratio(&self) -> (f64, f64) {
-        (self.velocity_ratio, self.velocity_complement)
-    }
-
-    /// σ (Pa) at `depth` (m). Eq. (1).
-    #[inline]
-    pub(crate) fn pressure(&self, depth: f64) -> f64 {
-        self.modulus * depth.powf(self.exponent)
-    }
-
-    /// Shear strength c + σ tan φ (Pa). Eq. (5).
-    #[inline]
-    pub(crate) fn shear_strength(&self, normal_stress: f64) -> f64 {
-        self.system.soil.cohesion() + normal_stress * self.system.soil.tan_friction()
-    }
-}
+use crate::rolling::Rolling;
 
 /// The contact of a rolling wheel at one sinkage.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,7 +62,20 @@ pub struct Stresses {
     pub shear: f64,
 }
 
-impl ContactPatch<'_> {
+impl<'a> ContactPatch<'a> {
+    /// The contact between `angles` at `sinkage` (m), 0 < z ≤ r.
+    #[inline]
+    pub(crate) fn new(rolling: &'a Rolling<'a>, sinkage: f64, angles: Angles) -> Self {
+        let depth_ratio = sinkage / rolling.system.wheel.radius();
+        Self {
+            rolling,
+            sinkage,
+            angles,
+            sin_entry: (depth_ratio * (2.0 - depth_ratio)).sqrt(),
+            cos_entry: 1.0 - depth_ratio, // Eq. (3) at θ = 0
+        }
+    }
+
     /// Whether it is the contact of a braking wheel with two zones.
     #[must_use]
     pub fn has_two_zones(&self) -> bool {
@@ -247,7 +133,7 @@ impl ContactPatch<'_> {
     /// bracket cancels.
     #[inline]
     pub(crate) fn displacement(&self, point: &RimPoint) -> f64 {
-        let Rolling { velocity_ratio, velocity_complement, .. } = *self.rolling;
+        let (velocity_ratio, velocity_complement) = self.rolling.velocity_ratio();
         2.0 * self.rolling.system.wheel.radius()
             * (velocity_complement * point.half_arc
                 + velocity_ratio * (point.excess + point.sin_half_arc * point.one_minus_cos_middle))
@@ -256,7 +142,7 @@ impl ContactPatch<'_> {
     /// Speed 1 − κ cos θ (–) of a place of the rim against the soil, backwards, over rω, for a turning wheel.
     #[inline]
     pub(crate) fn slip_velocity(&self, point: &RimPoint) -> f64 {
-        let Rolling { velocity_ratio, velocity_complement, .. } = *self.rolling;
+        let (velocity_ratio, velocity_complement) = self.rolling.velocity_ratio();
         velocity_complement + velocity_ratio * (point.sin * point.sin / (1.0 + point.cos))
     }
 
@@ -319,72 +205,11 @@ impl ContactPatch<'_> {
         Stresses { normal, shear: self.mobilisation(point) * self.rolling.shear_strength(normal) }
     }
 
-    /// Arc (rad) behind the entry over which E changes: the displacement by which its law scales, over dj/dδ at the entry. Infinite on a locked wheel, whose E is
-    /// constant.
+    /// Arc (rad) behind the entry over which E changes: the displacement by which its law scales, over dj/dδ at the entry.
+    /// Infinite on a locked wheel, whose E is constant.
     pub(crate) fn shear_layer(&self) -> f64 {
-        let Rolling { velocity_ratio, system, slip, .. } = self.rolling;
-        let growth = system.wheel.radius() * (1.0 - velocity_ratio * self.cos_entry).abs();
+        let Rolling { system, slip, .. } = self.rolling;
+        let growth = system.wheel.radius() * (1.0 - self.rolling.velocity_ratio().0 * self.cos_entry).abs();
         if slip.is_locked() { f64::INFINITY } else { system.soil.shear_scale() / growth }
-    }
-
-    /// Arcs δ = θ1 − θ (rad) behind the entry, ascending, at which j changes sign: only on a braking wheel, at most two,
-    /// the second only behind the lowest point.
-    ///
-    /// With g(θ) = κ sin θ − θ, which is odd, j = r (g(θ) − g(θ1)); g rises between −θ* and θ* = arccos(1/κ) and falls
-    /// outside. So j can vanish once on the rise and once more on the fall behind −θ*. Of two zones the one between them, the
-    /// peak, is not listed, and θ0 < θ*.
-    pub(crate) fn shear_reversals(&self) -> ShearReversals {
-        let mut reversals = ShearReversals::default();
-        let slip = self.rolling.slip;
-        let Angles { entry, exit, .. } = self.angles;
-        if slip.is_driving() || slip.is_locked() {
-            return reversals;
-        }
-        let turning = self.rolling.turning();
-        if self.has_two_zones() {
-            self.push_reversal_between(-turning, exit, &mut reversals); // j falls from θ0 on, until it turns
-            return reversals;
-        }
-        if turning >= entry {
-            return reversals; // j falls from the entry on
-        }
-        for (front, rear) in [(turning, (-turning).max(exit)), (-turning, exit)] {
-            self.push_reversal_between(front, rear, &mut reversals);
-        }
-        reversals
-    }
-
-    /// Adds the arc at which j changes sign between two angles (rad), if it does.
-    fn push_reversal_between(&self, front: f64, rear: f64, reversals: &mut ShearReversals) {
-        if rear >= front {
-            return;
-        }
-        let at = |theta: f64| Sample { x: theta, y: self.shear_displacement(theta) };
-        let (front, rear) = (at(front), at(rear));
-        if front.y * rear.y >= 0.0 {
-            return;
-        }
-        let find = |theta| Ok::<_, std::convert::Infallible>(self.shear_displacement(theta));
-        // A reversal misplaced by ε changes the integral by about ε³, so this tolerance is ample.
-        let Ok(found) = bracketed_root(find, front, rear, 1e-10);
-        reversals.push(self.angles.entry - found.best.x);
-    }
-}
-
-/// Up to two arcs (rad) at which the shear displacement changes sign.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct ShearReversals {
-    arcs: [f64; 2],
-    count: usize,
-}
-
-impl ShearReversals {
-    fn push(&mut self, arc: f64) {
-        self.arcs[self.count] = arc;
-        self.count += 1;
-    }
-
-    pub(crate) fn arcs(&self) -> &[f64] {
-        &self.arcs[..self.count]
     }
 }

@@ -14,8 +14,8 @@ use crate::contact::Angles;
 use crate::error::Error;
 use crate::forces::{ForceModel, Forces, Method};
 use crate::numerics::brent::{Sample, bracketed_root};
+use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
-use crate::stress::WheelOnSoil;
 
 /// Relative tolerance of the skid: what the load balance within leaves of the torque.
 const TOLERANCE: f64 = 1e-12;

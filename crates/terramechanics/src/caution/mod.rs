@@ -14,8 +14,8 @@ use crate::forces::Method;
 use crate::lateral::Bulldozing;
 use crate::operation::{OperatingPoint, Operation, Sinkage};
 use crate::pressure_sinkage::PressureSinkage;
+use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
-use crate::stress::WheelOnSoil;
 
 /// A reason to take a result with care.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,7 +14,7 @@
 //! University of Maryland), not in Bekker's books, and derived anew as above.
 
 use super::Lacking;
-use crate::stress::Rolling;
+use crate::rolling::Rolling;
 
 /// Sinkage over diameter (–) up to which the formulas were found good.
 pub(crate) const MODERATE_DEPTH: f64 = 1.0 / 6.0;

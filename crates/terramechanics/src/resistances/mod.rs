@@ -24,8 +24,8 @@ use std::fmt;
 use crate::caution::{Caution, SINKAGE_BEYOND_ESTIMATES, SLIP_GAIN_UNUSED, pressure_cautions, system_cautions};
 use crate::contact::angle_at_depth;
 use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
-use crate::stress::WheelOnSoil;
 
 /// The classical estimates for one wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
