@@ -76,6 +76,11 @@ impl Cost {
         Self(points as f64 * 10_000.0)
     }
 
+    /// Of writing the contract, with the answer to each of its examples.
+    pub(crate) fn of_contract() -> Self {
+        Self(100e6)
+    }
+
     /// Of reading a request body of `bytes`.
     pub(crate) fn of_body(bytes: usize) -> Self {
         Self(bytes as f64 * 8.0)

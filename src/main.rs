@@ -55,7 +55,8 @@ fn run(settings: &Serve) -> Result<(), String> {
         };
         let _ = writeln!(std::io::stdout(), "The page is at http://{address}/, the API explorer at http://{address}/docs");
         tracing::info!(%address, version = env!("CARGO_PKG_VERSION"), "serving");
-        serve(listener, app, service, bounds, stop).await.map_err(|error| error.to_string())
+        serve(listener, app, service, bounds, stop).await;
+        Ok::<_, String>(())
     })?;
     // What still computes is bounded, but nobody waits for it any more.
     runtime.shutdown_background();

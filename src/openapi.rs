@@ -1,6 +1,6 @@
 //! The contract: an OpenAPI document, generated from the routes.
 
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 use axum::Router;
 use utoipa::OpenApi;
@@ -50,12 +50,18 @@ pub fn document() -> Document {
     document
 }
 
-/// The document as text, as it is served and committed.
+static TEXT: OnceLock<String> = OnceLock::new();
+
+/// Whether the text is there, so that serving it is no work.
+pub(crate) fn is_written() -> bool {
+    TEXT.get().is_some()
+}
+
+/// The document as text, as it is served and committed. The first call computes all examples.
 pub fn text() -> &'static str {
-    static TEXT: LazyLock<String> = LazyLock::new(|| {
+    TEXT.get_or_init(|| {
         let mut text = document().to_pretty_json().unwrap_or_default();
         text.push('\n');
         text
-    });
-    &TEXT
+    })
 }

@@ -34,17 +34,8 @@ const ACCEPT_PAUSE: Duration = Duration::from_millis(50);
 /// Largest head of a request (bytes).
 const HEAD_BYTES: usize = 64 << 10;
 
-/// Serves `app` on `listener` until `stop` is done, then ends gracefully.
-///
-/// # Errors
-/// None at present; a failed accept is logged and tried again.
-pub async fn serve(
-    listener: TcpListener,
-    app: Router,
-    service: Service,
-    bounds: Bounds,
-    stop: impl Future<Output = ()>,
-) -> io::Result<()> {
+/// Serves `app` on `listener` until `stop` is done, then ends gracefully. A failed accept is logged and tried again.
+pub async fn serve(listener: TcpListener, app: Router, service: Service, bounds: Bounds, stop: impl Future<Output = ()>) {
     let places = Arc::new(Semaphore::new(bounds.connections));
     let graceful = GracefulShutdown::new();
     let mut builder = http1::Builder::new();
@@ -85,7 +76,6 @@ pub async fn serve(
     if tokio::time::timeout(bounds.grace, graceful.shutdown()).await.is_err() {
         tracing::warn!("some requests did not end in time");
     }
-    Ok(())
 }
 
 async fn accept(listener: &TcpListener, places: &Arc<Semaphore>) -> io::Result<(TcpStream, tokio::sync::OwnedSemaphorePermit)> {

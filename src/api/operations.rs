@@ -8,7 +8,8 @@ use utoipa::ToSchema;
 
 use super::responses::Limits;
 use crate::app::Service;
-use crate::compute::{json, json_text};
+use crate::compute::{Cost, json, json_text};
+use crate::openapi;
 use crate::problem::Problem;
 
 /// State of the service.
@@ -64,6 +65,7 @@ pub(crate) async fn metrics(State(service): State<Service>) -> Result<Response, 
     tag = "operations",
     responses((status = 200, description = "The OpenAPI document", body = serde_json::Value), Limits)
 )]
-pub(crate) async fn openapi() -> Response {
-    json_text(crate::openapi::text())
+pub(crate) async fn openapi(State(service): State<Service>) -> Result<Response, Problem> {
+    let cost = if openapi::is_written() { Cost::NONE } else { Cost::of_contract() };
+    service.pool().run(cost, || Ok(json_text(openapi::text()))).await
 }

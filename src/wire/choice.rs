@@ -5,7 +5,7 @@ use utoipa::openapi::{RefOr, Schema};
 
 use super::{Entry, Scope, Spec, Wire};
 
-/// One of some words; the first is the default where `has_default`.
+/// One of some words.
 #[derive(Debug)]
 pub(crate) struct Choice {
     pub(crate) doc: &'static str,

@@ -1,4 +1,4 @@
-//! The service as its clients see it: files mirror `src/api`.
+//! The service as its clients see it, and the program as its operators do.
 
 mod asking;
 mod braking;
