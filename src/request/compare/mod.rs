@@ -1,145 +1,162 @@
 //! The request of `/v1/compare`.
 
-use serde::de::{IgnoredAny, SeqAccess};
-use terramechanics::{ForceModel, Operation, Slip};
-use utoipa::openapi::schema::ArrayBuilder;
-use utoipa::openapi::{RefOr, Schema};
+mod variant;
 
-use super::axis::{SlipAxis, SlipAxisSpec};
-use super::operation::{self, MethodEntries, OperationEntries};
+use std::cell::RefCell;
+
+use terramechanics::{ForceModel, Method, Operation, Slip};
+
+use super::axis::{SlipOrAxis, SlipOrAxisSpec};
+use super::operation::{self, ClosedForms, OperationEntries, checked_lambda, operation_entries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
-use crate::wire::{Entry, Field, Lambda, Scope, Spec, Wire, wire_object};
+use crate::wire::{FieldFault, Lambda, List, Names, NamesSpec, Scope, wire_object};
+use variant::VariantDto;
 
-/// Names of methods as they were sent.
-#[derive(Debug, Clone)]
-pub(crate) struct Methods(Vec<Field<String>>);
+const METHODS: NamesSpec = NamesSpec {
+    doc: "The methods to compare, all different; the other series are compared with that of the first.",
+    word: operation::METHOD_OF_SEVERAL,
+    most: 3,
+    all_unless_given: true,
+};
 
-/// One to three different methods.
-pub(crate) struct MethodsSpec;
-
-/// More names than there are methods.
-const MOST: usize = 3;
-
-impl Spec for MethodsSpec {
-    fn schema(&self) -> RefOr<Schema> {
-        ArrayBuilder::new()
-            .description(Some("The methods to compare, all different; the others are compared with the first."))
-            .items(operation::METHOD_OF_SEVERAL.schema())
-            .min_items(Some(1))
-            .max_items(Some(MOST))
-            .unique_items(true)
-            .default(Some(serde_json::json!((operation::METHOD_OF_SEVERAL.words)())))
-            .into()
-    }
-}
-
-impl Wire for Methods {
-    type Spec = MethodsSpec;
-    const EXPECTED: &'static str = "an array of names of methods";
-
-    fn list<'de, A: SeqAccess<'de>>(mut list: A) -> Result<Option<Self>, A::Error> {
-        let mut names = Vec::new();
-        while names.len() <= MOST {
-            match list.next_element()? {
-                Some(name) => names.push(name),
-                None => return Ok(Some(Self(names))),
-            }
-        }
-        while list.next_element::<IgnoredAny>()?.is_some() {}
-        Ok(Some(Self(names))) // one more than allowed, which the check refuses
-    }
-}
+/// Operating points of all series, with those of the quadrature where it is not among the methods.
+const MOST_POINTS: usize = 100_000;
 
 wire_object! {
-    /// The forces over a range or a list of slips by several methods at once. The fields are those of a slip sweep, with `methods` for `method`.
+    /// The forces at one slip, or over a range or a list of slips, by several methods and laws at once. The fields are those of a slip sweep straight ahead, with `methods` for `method`; `slip` may be one number. Every method is applied to the request as it stands and to each of its `variants`; with all their series, and the quadrature where it is not among the methods, there may be 100000 operating points.
     CompareDto as "CompareRequest" {
         wheel: WheelDto = operation::WHEEL,
         soil: SoilDto = operation::SOIL,
         contact: ContactDto = operation::CONTACT,
-        slip: SlipAxis = SlipAxisSpec,
+        slip: SlipOrAxis = SlipOrAxisSpec,
         sinkage_m: f64 = operation::SINKAGE,
         static_sinkage_m: f64 = operation::STATIC_SINKAGE,
         slip_sinkage: SlipSinkageDto = operation::SLIP_SINKAGE,
         normal_load_n: f64 = operation::NORMAL_LOAD,
-        methods: Methods = MethodsSpec,
+        methods: Names = METHODS,
         normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
         peak_sinkage: String = operation::PEAK_SINKAGE,
         braking: String = operation::BRAKING,
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
+        variants: List<VariantDto> = variant::VARIANTS,
     }
 }
 
-/// A comparison, checked: the operations by method, of which there is at least one.
+/// A comparison, checked.
 pub(crate) struct CompareQuery {
-    pub(crate) operations: Vec<Operation>,
+    /// The request as it stands, then each of its variants.
+    pub(crate) cases: Vec<Case>,
     pub(crate) slips: Vec<Slip>,
+}
+
+/// The operations by method, of which there is at least one, that differ in nothing else.
+pub(crate) struct Case {
+    /// The name of the variant; none of the request as it stands.
+    pub(crate) variant: Option<String>,
+    pub(crate) operations: Vec<Operation>,
+}
+
+impl Case {
+    /// The quadrature of the case, where it is not among the operations.
+    pub(crate) fn quadrature_beside(&self) -> Option<Operation> {
+        let is_there = self.operations.iter().any(|operation| operation.model.method == Method::Quadrature);
+        let first = self.operations.first().filter(|_| !is_there)?;
+        Some(Operation { model: ForceModel { method: Method::Quadrature, ..first.model }, ..*first })
+    }
+}
+
+impl CompareQuery {
+    /// All operations that an answer takes.
+    pub(crate) fn operations(&self) -> impl Iterator<Item = Operation> {
+        self.cases.iter().flat_map(|case| case.operations.iter().copied().chain(case.quadrature_beside()))
+    }
 }
 
 impl Request for CompareDto {
     type Query = CompareQuery;
 
     fn check(&self, place: &Scope<'_>) -> Option<CompareQuery> {
-        let checked = OperationEntries {
-            wheel: self.wheel(),
-            soil: self.soil(),
-            contact: self.contact(),
-            sinkage: self.sinkage_m(),
-            static_sinkage: self.static_sinkage_m(),
-            slip_sinkage: self.slip_sinkage(),
-            normal_load: self.normal_load_n(),
-            normal_stress_radius: self.normal_stress_radius(),
-            peak_sinkage: self.peak_sinkage(),
-            braking: self.braking(),
-            method: None,
-            side_slip: None,
-        }
-        .check(place);
+        let (own, faults) = self.operations();
+        faults.iter().for_each(|fault| place.pass_on(fault.clone()));
         let slips = self.slip().slips(place);
-        let names = self.method_names(place);
-        let checked = checked?;
-        let model = |name: &Field<String>| {
-            let method = Entry { name: "method", field: name, spec: &operation::METHOD };
-            let entries = MethodEntries { method, lambda_a: self.lambda_a(), lambda_b: self.lambda_b() };
-            let method = entries.check(place, checked.peak_depth)?;
-            let contact = &checked.operation.system.contact;
-            if !operation::takes_two_zones(method, contact, &self.braking(), place) {
-                return None;
-            }
-            Some(Operation { model: ForceModel { method, ..checked.operation.model }, ..checked.operation })
-        };
-        let operations: Option<Vec<Operation>> = names?.iter().map(model).collect();
-        Some(CompareQuery { operations: operations?, slips: slips? })
+        let mut names: Vec<String> = Vec::new();
+        let variants = self.variants().each(place, |variant, place| {
+            let name = variant.checked_name(place, &names);
+            names.extend(name.clone());
+            let operations = variant.operations(self, &faults, place);
+            Some(Case { variant: Some(name?), operations: operations? })
+        });
+        let mut cases = vec![Case { variant: None, operations: own? }];
+        cases.extend(variants?);
+        let query = CompareQuery { cases, slips: slips? };
+        let points = query.operations().count() * query.slips.len();
+        if points > MOST_POINTS {
+            let detail = format_args!(
+                "all series, with the quadrature, have {points} operating points in all; {MOST_POINTS} is the most that is computed"
+            );
+            place.field(self.variants().name).fault(detail);
+            return None;
+        }
+        Some(query)
     }
 }
 
 impl CompareDto {
-    /// The names of the methods, known and all different; all methods where none were sent.
-    fn method_names(&self, place: &Scope<'_>) -> Option<Vec<Field<String>>> {
-        let entry = self.methods();
-        let known = (operation::METHOD_OF_SEVERAL.words)();
-        if !entry.is_present() {
-            return Some(known.into_iter().map(|name| Field::Given(name.to_owned())).collect());
+    /// The operations by every method, and what is wrong with them; none only where something is.
+    fn operations(&self) -> (Option<Vec<Operation>>, Vec<FieldFault>) {
+        let faults = RefCell::default();
+        let operations = self.checked_operations(&Scope::root(&faults));
+        (operations, faults.into_inner())
+    }
+
+    fn checked_operations(&self, place: &Scope<'_>) -> Option<Vec<Operation>> {
+        let checked = operation_entries!(self).check(place);
+        let closed_forms = ClosedForms {
+            peak_depth: checked.as_ref().and_then(|checked| checked.peak_depth),
+            lambda_a: checked_lambda(&self.lambda_a(), place),
+            lambda_b: checked_lambda(&self.lambda_b(), place),
+        };
+        let methods = self.methods().looked_up(place, |name| closed_forms.method(name));
+        let operation = checked?.operation;
+        let by_method = |method: Method| {
+            let is_taken = operation::takes_two_zones(method, &operation.system.contact, &self.braking(), place);
+            is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
+        };
+        methods?.into_iter().map(by_method).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+    use crate::request::checked;
+    use crate::wire::read;
+
+    /// The points that a comparison of eight cases takes, or what is wrong with it.
+    fn points(methods: &[&str], slips: usize) -> Result<usize, Vec<FieldFault>> {
+        let variants: Vec<_> = (0..7).map(|i| json!({"name": i.to_string(), "normal_stress_radius": "shearing"})).collect();
+        let body = json!({
+            "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "sinkage_m": 0.02,
+            "slip": {"from": 0, "to": 1, "points": slips}, "methods": methods, "variants": variants
+        });
+        let body = read::<CompareDto>(body.to_string().as_bytes()).expect("JSON");
+        checked(&body).map(|query| query.operations().count() * query.slips.len())
+    }
+
+    #[test]
+    fn operating_points_are_bounded_with_those_of_the_integral() {
+        assert_eq!(points(&["explicit"], 6_250), Ok(MOST_POINTS));
+        assert_eq!(points(&["explicit", "quadrature"], 6_250), Ok(MOST_POINTS));
+        for (methods, slips, found) in
+            [(&["explicit"][..], 6_251, "100016"), (&["quadrature", "linearised", "explicit"], 10_001, "240024")]
+        {
+            let faults = points(methods, slips).expect_err("too many");
+            assert_eq!(faults.len(), 1);
+            assert_eq!(faults[0].pointer, "/variants");
+            assert!(faults[0].detail.contains(found), "{}", faults[0].detail);
         }
-        let Methods(names) = entry.given(place)?;
-        let list = place.field(entry.name);
-        if !(1..=MOST).contains(&names.len()) {
-            list.fault(format_args!("must name from 1 to {MOST} methods"));
-            return None;
-        }
-        let mut found: Vec<Field<String>> = Vec::new();
-        for (i, name) in names.iter().enumerate() {
-            let item = list.item(i);
-            match name {
-                Field::Given(name) if !known.contains(&name.as_str()) => crate::wire::unknown_word(&item, name, &known),
-                Field::Given(name) if found.iter().any(|earlier| matches!(earlier, Field::Given(other) if other == name)) => {
-                    item.fault("is named more than once");
-                }
-                Field::Given(name) => found.push(Field::Given(name.clone())),
-                Field::Wrong(kind) => item.fault(format_args!("must be a string, not {kind}")),
-                Field::Absent => {}
-            }
-        }
-        (found.len() == names.len()).then_some(found)
     }
 }
