@@ -42,9 +42,9 @@ impl Cost {
         Self(1_000.0)
     }
 
-    /// Of `points` operating points by each of several methods.
-    pub(crate) fn of_comparison(operations: &[Operation], points: usize) -> Self {
-        Self(operations.iter().map(|operation| Self::of_points(operation, points).0).sum())
+    /// Of `points` operating points by each of several methods and laws.
+    pub(crate) fn of_comparison(operations: impl Iterator<Item = Operation>, points: usize) -> Self {
+        Self(operations.map(|operation| Self::of_points(&operation, points).0).sum())
     }
 
     /// Operating points that are computed without a pause.

@@ -94,7 +94,8 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
     });
     let compare = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": [0.1, 0.3], "sinkage_m": 0.02,
-        "methods": ["quadrature", "linearised", "explicit"]
+        "methods": ["quadrature", "explicit"],
+        "variants": [{"name": "half sinkage", "contact": {"rule": "half_sinkage"}}]
     });
     let track = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80, "method": "explicit",

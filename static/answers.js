@@ -30,10 +30,10 @@ function sweepOutcome(settings, signal) {
     : outcomeOf("/v1/slip-sweep", sweepBody(settings, settings.method), signal);
 }
 
-/** What a sweep's or a comparison's answer says of each method: its columns, and its gap to the first where there are several. */
+/** What a sweep's or a comparison's answer says of each method: its columns, and its gap to the integral where there are several. */
 function seriesOf({ answer }) {
   if (!answer) return [];
-  return answer.series ?? [{ method: answer.method, columns: answer.columns, difference: null }];
+  return answer.series ?? [{ method: answer.method, columns: answer.columns }];
 }
 
 /**

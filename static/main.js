@@ -11,7 +11,7 @@
 //   [data-fault="/wheel/radius_m"]: where the fault of a pointer is shown, hidden while there is none
 //   [data-result="longitudinal_force_n"]: a result as text, with the API's number in data-value
 //   #comparison-table tr[data-method] td[data-compared][data-value], #status, #announcement
-//   #gap-table tr[data-method][data-quantity] td[data-gap="rms|max_abs"][data-value][data-share]
+//   #gap-table tr[data-method][data-quantity] td[data-gap="rms|mean|max_abs"][data-value][data-share]; the method of the spread is `spread`
 //   #warnings, #profile-warnings, #sweep-warnings: li[data-warning]
 //   #scene, #profile-chart, #longitudinal-force-chart, #normal-force-chart, #torque-chart, #fourth-chart;
 //   [data-part="tiles|scene|profile|sweep"][data-stale="true"] while what is shown is not the answer to the inputs
@@ -180,7 +180,7 @@ function showOutcomes(settings, outcomes) {
   if (sweep.answer) {
     shown.sweep = { ...sweep, series, byMethod, slip: settings.slip, method: settings.method };
     drawSlipCharts();
-    showGaps(byId("gaps"), { series, load: settings.given.normal_load_n ?? null });
+    showGaps(byId("gaps"), { series, spread: sweep.answer.spread });
   }
   const warnings = warningsOf(outcomes);
   showWarnings(byId("warnings"), warnings.forces);

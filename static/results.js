@@ -37,34 +37,43 @@ export function showComparison(container, outcomes) {
   container.querySelector("tbody").replaceChildren(...rows);
 }
 
-function gapCell(kind, name, gap, scale) {
-  if (gap === null) return html("td", { "data-gap": kind, "data-value": "" }, "no common points");
-  const share = scale ? gap / scale : null;
-  const text = share !== null && share < NO_GAP ? "none" : quantity(name, gap);
-  const percent = share === null || share < NO_GAP ? "" : ` (${withUnit(fixed(share * 100, 1), "%")})`;
-  return html("td", { "data-gap": kind, "data-value": gap, "data-share": share }, text, html("span", { class: "share" }, percent));
+/** A figure of a gap or a spread, with its share where one is given; `none` where that is no more than rounding. */
+function gapCell(kind, name, figure, relative, share = null) {
+  if (figure === null) return html("td", { "data-gap": kind, "data-value": "" }, "no common points");
+  const isNone = relative !== null && relative < NO_GAP;
+  const percent = share === null || isNone ? "" : ` (${withUnit(fixed(share * 100, 1), "%")})`;
+  return html("td", { "data-gap": kind, "data-value": figure, "data-share": share }, isNone ? "none" : quantity(name, figure),
+    html("span", { class: "share" }, percent));
 }
 
-/** How far each method is from the first over the slips of the charts: as the API says, and as a share of the load or the largest value. */
-export function showGaps(container, { series, load }) {
+/** The rows of one method, or of the spread, which has no sign and so no mean. */
+function gapRows(key, title, byQuantity) {
+  return Object.entries(GAP_QUANTITIES).map(([name, symbol], index, all) => {
+    const { rms, max_abs: largest, mean, relative } = byQuantity[name];
+    return html("tr", { "data-method": key, "data-quantity": name },
+      ...(index === 0 ? [html("th", { scope: "rowgroup", rowspan: all.length }, title)] : []),
+      html("th", { scope: "row" }, html("i", {}, ...symbolHtml(symbol))),
+      gapCell("rms", name, rms, relative, relative),
+      mean === undefined ? html("td") : gapCell("mean", name, mean, relative),
+      gapCell("max_abs", name, largest, relative));
+  });
+}
+
+/** How far each closed form is from the integral over the slips of the charts, and how far all are apart, as the API says. */
+export function showGaps(container, { series, spread }) {
   container.hidden = series.length < 2;
   if (container.hidden) return;
-  const [reference, ...others] = series;
-  const largest = (name) => Math.max(...reference.columns[name].map((value) => Math.abs(value ?? 0)));
-  const scaleOf = (name) => (load !== null && name !== "torque_n_m" ? load : largest(name));
-  const rows = others.flatMap(({ method, difference }) =>
-    Object.entries(GAP_QUANTITIES).map(([name, symbol], index, all) => html("tr", { "data-method": method, "data-quantity": name },
-      ...(index === 0 ? [html("th", { scope: "rowgroup", rowspan: all.length }, METHOD_NAMES[method])] : []),
-      html("th", { scope: "row" }, html("i", {}, ...symbolHtml(symbol))),
-      gapCell("rms", name, difference[name].rms, scaleOf(name)),
-      gapCell("max_abs", name, difference[name].max_abs, scaleOf(name)))));
-  container.querySelector("tbody").replaceChildren(...rows);
-  const slips = reference.columns.slip;
+  const closedForms = series.filter(({ method }) => method !== "quadrature");
+  container.querySelector("tbody").replaceChildren(
+    ...closedForms.flatMap(({ method, gap_to_quadrature: gap }) => gapRows(method, METHOD_NAMES[method], gap)),
+    ...gapRows("spread", "Spread of all", spread));
+  const slips = series[0].columns.slip;
   const range = `${withUnit(fixed(slips[0] * 100, 0), "%")} to ${withUnit(fixed(slips.at(-1) * 100, 0), "%")}`;
-  const shares = load === null
-    ? `Shares are of the largest value that ${METHOD_NAMES[reference.method].toLowerCase()} gives over these slips.`
-    : `Shares of the forces are of the load, those of the torque of its largest value by ${METHOD_NAMES[reference.method].toLowerCase()}.`;
-  container.querySelector(".gap-note").textContent = `Over ${slips.length} slips from ${range}, where both methods have a solution; rms is the root mean square. ${shares}`;
+  const { rows } = spread.torque_n_m;
+  const unsolved = rows < slips.length ? `, at ${rows} of which all have a solution` : "";
+  container.querySelector(".gap-note").textContent = `Over ${slips.length} slips from ${range}${unsolved}: rms is the root mean square, in `
+    + "brackets relative to that of the quadrature; the mean is negative where the closed form gives less. The spread is the highest "
+    + "of all methods minus the lowest at each slip.";
 }
 
 export function showWarnings(list, warnings) {

@@ -42,47 +42,69 @@ check("the methods are compared in curves", async (page) => {
   }
 });
 
+const rootMeanSquare = (values) => Math.sqrt(values.reduce((sum, each) => sum + each * each, 0) / values.length);
+
+/** Figures of differences beside the values that they are relative to. */
+const figures = (differences, references) => ({
+  rms: rootMeanSquare(differences),
+  mean: differences.reduce((sum, each) => sum + each, 0) / differences.length,
+  max_abs: Math.max(...differences.map(Math.abs)),
+  relative: rootMeanSquare(differences) / rootMeanSquare(references),
+});
+
 /** The gap as the page's readers would work it out from the curves. */
 function gapBetween(column, reference) {
-  const differences = column.map((value, index) => [value, reference[index]]).filter((pair) => pair.every((each) => each !== null))
-    .map(([value, other]) => Math.abs(value - other));
-  const rms = Math.sqrt(differences.reduce((sum, each) => sum + each * each, 0) / differences.length);
-  return { rms, max_abs: Math.max(...differences) };
+  const pairs = column.map((value, index) => [value, reference[index]]).filter((pair) => pair.every((each) => each !== null));
+  return figures(pairs.map(([value, other]) => value - other), pairs.map(([, other]) => other));
+}
+
+/** How far curves are apart, relative to the first of them. */
+function spreadOf(columns) {
+  const rows = columns[0].map((_, index) => columns.map((column) => column[index])).filter((row) => row.every((each) => each !== null));
+  const { mean, ...spread } = figures(rows.map((row) => Math.max(...row) - Math.min(...row)), rows.map(([first]) => first));
+  return spread;
 }
 
 /** Sums in another order differ by rounding. */
 const ROUNDING = 1e-9;
 
 for (const [query, load] of [["?compare=1", null], ["?compare=1&by=load&load_n=60&braking=1&method=linearised", 60]]) {
-  check(`the gap between the methods is told over slip${load ? " at a load" : ""}`, async (page) => {
+  check(`the gap to the integral and the spread are told over slip${load ? " at a load" : ""}`, async (page) => {
     await open(page, query);
     assert.ok(await page.isVisible("#gap-table"), "the table is to be seen");
     const rows = await page.$$eval("#gap-table tr[data-method]", (found) => found.map((row) => ({
       method: row.dataset.method, name: row.dataset.quantity,
-      cells: Object.fromEntries([...row.querySelectorAll("td")].map(({ dataset, innerText }) => [dataset.gap, { ...dataset, text: innerText }])),
+      cells: Object.fromEntries([...row.querySelectorAll("td[data-gap]")].map(({ dataset, innerText }) => [dataset.gap, { ...dataset, text: innerText }])),
     })));
-    assert.deepEqual(rows.map(({ method, name }) => [method, name]), METHODS.slice(1).flatMap((method) => FORCES.map((name) => [method, name])));
+    const told = [...METHODS.slice(1), "spread"];
+    assert.deepEqual(rows.map(({ method, name }) => [method, name]), told.flatMap((method) => FORCES.map((name) => [method, name])));
     const { sinkage_m, ...rest } = LETTER;
     const asked = load ? { ...rest, normal_load_n: load } : LETTER;
-    const columnsOf = async (method) => (await ask("/v1/slip-sweep", overSlip({ ...asked, method }, load ? -1 : 0))).columns;
-    const reference = await columnsOf("quadrature");
+    const curves = Object.fromEntries(await Promise.all(METHODS.map(async (method) =>
+      [method, (await ask("/v1/slip-sweep", overSlip({ ...asked, method }, load ? -1 : 0))).columns])));
     for (const { method, name, cells } of rows) {
-      const gaps = gapBetween((await columnsOf(method))[name], reference[name]);
-      const largest = Math.max(...reference[name].map(Math.abs));
-      const scale = load && name !== "torque_n_m" ? load : largest;
-      for (const kind of ["rms", "max_abs"]) {
-        const { value, share, text } = cells[kind];
-        assert.ok(Math.abs(value - gaps[kind]) <= ROUNDING * largest, `${method} ${name} ${kind} ${value} is not ${gaps[kind]}`);
-        assert.ok(Math.abs(share - gaps[kind] / scale) <= ROUNDING, `${method} ${name} ${kind}: a share of ${share}`);
+      const reference = curves.quadrature[name];
+      const { relative, ...expected } = method === "spread"
+        ? spreadOf(METHODS.map((each) => curves[each][name]))
+        : gapBetween(curves[method][name], reference);
+      assert.deepEqual(Object.keys(cells).sort(), Object.keys(expected).sort(), `${method} ${name}`);
+      const largest = Math.max(...reference.map(Math.abs));
+      for (const [kind, { value, share, text }] of Object.entries(cells)) {
+        assert.ok(Math.abs(value - expected[kind]) <= ROUNDING * largest, `${method} ${name} ${kind} ${value} is not ${expected[kind]}`);
         if (load && name === "normal_force_n") {
           assert.equal(text, "none");
           continue;
         }
-        const [, absolute, percent] = /^(.+) \((.+)\u00a0%\)$/.exec(text) ?? assert.fail(text);
+        const [absolute, percent] = text.split(/ \((.+)\u00a0%\)$/);
         assertReads(absolute, Number(value), `${method} ${name} ${kind}`);
+        assert.equal(percent !== undefined, kind === "rms", text);
+        if (kind !== "rms") continue;
+        assert.ok(Math.abs(share - relative) <= ROUNDING, `${method} ${name}: a share of ${share} is not ${relative}`);
         assert.ok(Math.abs(percent - share * 100) <= 0.05 + ROUNDING, text);
       }
     }
+    if (load) return;
+    for (const { method, name, cells } of rows.filter((row) => row.method !== "spread")) assert.ok(cells.mean.text.startsWith("\u2212"), `${method} gives less ${name}`);
   });
 }
 

@@ -11,23 +11,24 @@ use crate::problem::Problem;
 use crate::reply::CompareReply;
 use crate::request::CompareDto;
 
-/// Several methods side by side over slip, with the gap between them
+/// Several methods and laws side by side, with the gap to the integral
 ///
-/// Each method's columns, and the root mean square and the largest of its difference from the first method, by quantity. With
-/// `Accept: text/csv` the columns come as a table, named `method.column`.
+/// The request as it stands and each of its variants, by every method, at one slip or over several. By quantity: how far each
+/// series is from the first and from the quadrature with the same laws, and the spread of all. With `Accept: text/csv` the
+/// columns come as a table, named `method.column`, or `variant.method.column`; differences and spread come with JSON only.
 #[utoipa::path(
     post,
     path = "/v1/compare",
     tag = "forces",
     request_body = CompareDto,
-    responses((status = 200, description = "Several methods side by side over slip, with the gap between them", content((CompareReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
+    responses((status = 200, description = "Several methods and laws side by side, with the gap to the integral", content((CompareReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn compare(
     State(service): State<Service>,
     format: Format,
     Input(query): Input<CompareDto>,
 ) -> Result<Response, Problem> {
-    let cost = Cost::of_comparison(&query.operations, query.slips.len());
+    let cost = Cost::of_comparison(query.operations(), query.slips.len());
     let work = move || {
         let reply = CompareReply::from(&query);
         written(&reply, format)

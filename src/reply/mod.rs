@@ -3,6 +3,7 @@
 mod compare;
 mod coupled;
 mod curves;
+mod difference;
 mod forces;
 mod identify;
 mod resistances;
@@ -60,7 +61,7 @@ impl Serialize for Column {
 
 /// The table of a reply: a header row with the names of the columns, then a row per point; an empty cell for no value.
 pub(crate) fn csv(columns: &[(Cow<'static, str>, &[f64])]) -> String {
-    let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_ref()).collect();
+    let names: Vec<Cow<'_, str>> = columns.iter().map(|(name, _)| cell_of(name)).collect();
     let rows = columns.first().map_or(0, |(_, column)| column.len());
     let mut text = String::with_capacity((rows + 1) * columns.len() * 20);
     text.push_str(&names.join(","));
@@ -78,6 +79,11 @@ pub(crate) fn csv(columns: &[(Cow<'static, str>, &[f64])]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// A text as a cell: in quotes where it would else be taken apart (RFC 4180, section 2).
+fn cell_of(text: &str) -> Cow<'_, str> {
+    if text.contains([',', '"', '\r', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")).into() } else { text.into() }
 }
 
 /// The characteristic angles of the contact, from straight down, positive towards the front.
@@ -106,6 +112,7 @@ mod tests {
     fn a_table_has_names_rows_and_empty_cells() {
         let text = csv(&[("slip".into(), &[0.0, 0.1]), ("torque_n_m".into(), &[f64::NAN, 1e-7])]);
         assert_eq!(text, "slip,torque_n_m\n0.0,\n0.1,1e-7\n");
+        assert_eq!(csv(&[("a, b".into(), &[1.0]), ("5\" wide".into(), &[2.0])]), "\"a, b\",\"5\"\" wide\"\n1.0,2.0\n");
     }
 
     #[test]

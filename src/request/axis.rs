@@ -1,23 +1,22 @@
 //! The slips of a sweep: a range or a list.
 
-use serde::de::{IgnoredAny, MapAccess, SeqAccess};
+use serde::de::{MapAccess, SeqAccess};
 use terramechanics::Slip;
 use utoipa::openapi::path::Parameter;
-use utoipa::openapi::schema::{ArrayBuilder, OneOfBuilder};
+use utoipa::openapi::schema::OneOfBuilder;
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::wire::{Entry, Field, Nested, Number, Object, Scope, Spec, Wire, wire_object};
+use crate::wire::{Entry, MOST_NUMBERS, Nested, Number, Object, Scope, Series, SeriesSpec, Spec, Wire, wire_object};
 
 const SLIP: Number = Number::new("Slip ratio s (–).", -1.0, 1.0).share();
 const FEWEST: usize = 2;
-const MOST: usize = 10_001;
 
 wire_object! {
     /// Equally spaced slips, both ends included.
     SlipRangeDto as "SlipRange" {
         from: f64 = Number::new("First slip (–).", -1.0, 1.0).share().required(),
         to: f64 = Number::new("Last slip (–).", -1.0, 1.0).share().required(),
-        points: f64 = Number::new("Number of slips.", FEWEST as f64, MOST as f64).integer().required(),
+        points: f64 = Number::new("Number of slips.", FEWEST as f64, MOST_NUMBERS as f64).integer().required(),
     }
 }
 
@@ -25,18 +24,22 @@ wire_object! {
 #[derive(Debug, Clone)]
 pub(crate) enum SlipAxis {
     Range(SlipRangeDto),
-    List(Vec<Field<f64>>),
+    List(Series),
 }
 
 const RANGE: Nested<SlipRangeDto> = Nested::required("Equally spaced slips.");
+
+const fn list(fewest: usize) -> SeriesSpec {
+    SeriesSpec { doc: "Slips.", number: SLIP, fewest, required: true }
+}
 
 /// A range or a list of slips.
 pub(crate) struct SlipAxisSpec;
 
 impl Spec for SlipAxisSpec {
     fn schema(&self) -> RefOr<Schema> {
-        let list = ArrayBuilder::new().items(SLIP.schema()).min_items(Some(FEWEST)).max_items(Some(MOST));
-        OneOfBuilder::new().description(Some("The slips: a range, or a list.")).item(RANGE.schema()).item(list).into()
+        let either = OneOfBuilder::new().description(Some("The slips: a range, or a list."));
+        either.item(RANGE.schema()).item(list(FEWEST).array()).into()
     }
 
     fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
@@ -60,45 +63,78 @@ impl Wire for SlipAxis {
         Ok(SlipRangeDto::object(map)?.map(Self::Range))
     }
 
-    fn list<'de, A: SeqAccess<'de>>(mut list: A) -> Result<Option<Self>, A::Error> {
-        let mut slips = Vec::new();
-        while slips.len() <= MOST {
-            match list.next_element()? {
-                Some(slip) => slips.push(slip),
-                None => return Ok(Some(Self::List(slips))),
-            }
+    fn list<'de, A: SeqAccess<'de>>(list: A) -> Result<Option<Self>, A::Error> {
+        Ok(Series::list(list)?.map(Self::List))
+    }
+}
+
+impl SlipAxis {
+    /// The slips, if there are at least `fewest`.
+    fn slips(&self, place: &Scope<'_>, fewest: usize) -> Option<Vec<Slip>> {
+        match self {
+            Self::Range(range) => range.slips(place),
+            Self::List(series) => list(fewest).check(place, series)?.into_iter().map(|slip| Slip::new(slip).ok()).collect(),
         }
-        while list.next_element::<IgnoredAny>()?.is_some() {}
-        Ok(Some(Self::List(slips))) // one more than allowed, which the check refuses
     }
 }
 
 impl Entry<'_, SlipAxis> {
     /// The slips.
     pub(super) fn slips(&self, object: &Scope<'_>) -> Option<Vec<Slip>> {
-        let place = object.field(self.name);
-        match self.required(object)? {
-            SlipAxis::Range(range) => range.slips(&place),
-            SlipAxis::List(list) => {
-                if !(FEWEST..=MOST).contains(&list.len()) {
-                    place.fault(format_args!("must have from {FEWEST} to {MOST} slips"));
-                    return None;
-                }
-                let slips: Vec<Option<Slip>> = list.iter().enumerate().map(|(i, slip)| listed(slip, &place.item(i))).collect();
-                slips.into_iter().collect()
-            }
-        }
+        self.required(object)?.slips(&object.field(self.name), FEWEST)
     }
 }
 
-fn listed(slip: &Field<f64>, place: &Scope<'_>) -> Option<Slip> {
-    match slip {
-        Field::Given(value) => SLIP.check(place, *value).and_then(|value| Slip::new(value).ok()),
-        Field::Wrong(found) => {
-            place.fault(format_args!("must be a number, not {found}"));
-            None
+/// One slip, or the slips of a sweep, as they were sent.
+#[derive(Debug, Clone)]
+pub(crate) enum SlipOrAxis {
+    One(f64),
+    Several(SlipAxis),
+}
+
+/// A slip, or a range or a list of slips.
+pub(crate) struct SlipOrAxisSpec;
+
+impl Spec for SlipOrAxisSpec {
+    fn schema(&self) -> RefOr<Schema> {
+        let any = OneOfBuilder::new().description(Some("One slip, or the slips as a range or a list."));
+        any.item(SLIP.schema()).item(RANGE.schema()).item(list(1).array()).into()
+    }
+
+    fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
+        RANGE.schemas(found);
+    }
+
+    fn is_required(&self) -> bool {
+        true
+    }
+}
+
+impl Wire for SlipOrAxis {
+    type Spec = SlipOrAxisSpec;
+    const EXPECTED: &'static str = "a number, an object with `from`, `to` and `points`, or an array of numbers";
+
+    fn number(value: f64) -> Option<Self> {
+        Some(Self::One(value))
+    }
+
+    fn object<'de, A: MapAccess<'de>>(map: A) -> Result<Option<Self>, A::Error> {
+        Ok(SlipAxis::object(map)?.map(Self::Several))
+    }
+
+    fn list<'de, A: SeqAccess<'de>>(list: A) -> Result<Option<Self>, A::Error> {
+        Ok(SlipAxis::list(list)?.map(Self::Several))
+    }
+}
+
+impl Entry<'_, SlipOrAxis> {
+    /// The slips, of which there is at least one.
+    pub(super) fn slips(&self, object: &Scope<'_>) -> Option<Vec<Slip>> {
+        let place = object.field(self.name);
+        match self.required(object)? {
+            SlipOrAxis::One(value) => SLIP.check(&place, *value).and_then(|slip| Slip::new(slip).ok()).map(|slip| vec![slip]),
+            SlipOrAxis::Several(axis) => axis.slips(&place, 1),
         }
-        Field::Absent => None,
     }
 }
 

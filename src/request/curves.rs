@@ -1,13 +1,9 @@
 //! The requests of `/v1/identify/plates` and `/v1/identify/shear`: lists of curves.
 
-use serde::de::{IgnoredAny, SeqAccess};
 use terramechanics_identification::{MOST_CURVES, MOST_PLATES, PlateCurve, PlatesError, ShearCurve, ShearError};
-use utoipa::ToSchema;
-use utoipa::openapi::schema::ArrayBuilder;
-use utoipa::openapi::{RefOr, Schema};
 
 use super::Request;
-use crate::wire::{Entry, Field, FieldFault, Nested, Number, Object, Scope, Series, SeriesSpec, Spec, Wire, wire_object};
+use crate::wire::{Entry, FieldFault, List, ListSpec, Nested, Number, Object, Scope, Series, SeriesSpec, wire_object};
 
 const SINKAGE: Number = Number::new("Sinkage z (m).", 1e-9, 100.0);
 const PRESSURE: Number = Number::new("Pressure p (Pa).", 1e-6, 1e12);
@@ -37,7 +33,7 @@ wire_object! {
 wire_object! {
     /// Curves of two or more plates of different width.
     PlatesDto as "PlatesRequest" {
-        plates: List<PlateDto> = ListSpec::new("The plates, of at least two widths.", 2, MOST_PLATES),
+        plates: List<PlateDto> = ListSpec::required("The plates, of at least two widths.", 2, MOST_PLATES),
     }
 }
 
@@ -60,90 +56,7 @@ wire_object! {
 wire_object! {
     /// Shear tests under two or more normal stresses.
     ShearTestsDto as "ShearTestsRequest" {
-        curves: List<ShearCurveDto> = ListSpec::new("The tests, under at least two normal stresses.", 2, MOST_CURVES),
-    }
-}
-
-/// A list of objects as it was sent.
-#[derive(Debug, Clone)]
-pub(crate) struct List<T>(Vec<Field<T>>);
-
-/// How many objects a list may have.
-pub(crate) struct ListSpec<T> {
-    doc: &'static str,
-    fewest: usize,
-    most: usize,
-    item: Nested<T>,
-}
-
-impl<T> ListSpec<T> {
-    const fn new(doc: &'static str, fewest: usize, most: usize) -> Self {
-        Self { doc, fewest, most, item: Nested::required("One of the list.") }
-    }
-}
-
-impl<T: ToSchema + Object> Spec for ListSpec<T> {
-    fn schema(&self) -> RefOr<Schema> {
-        ArrayBuilder::new()
-            .description(Some(self.doc))
-            .items(self.item.schema())
-            .min_items(Some(self.fewest))
-            .max_items(Some(self.most))
-            .into()
-    }
-
-    fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
-        self.item.schemas(found);
-    }
-
-    fn is_required(&self) -> bool {
-        true
-    }
-}
-
-/// Objects that are kept of any list; the checks allow fewer.
-const MOST_KEPT: usize = 64;
-
-impl<T: Wire + ToSchema + Object + 'static> Wire for List<T> {
-    type Spec = ListSpec<T>;
-    const EXPECTED: &'static str = "an array of objects";
-
-    fn list<'de, A: SeqAccess<'de>>(mut list: A) -> Result<Option<Self>, A::Error> {
-        let mut items = Vec::new();
-        while items.len() <= MOST_KEPT {
-            match list.next_element()? {
-                Some(item) => items.push(item),
-                None => return Ok(Some(Self(items))),
-            }
-        }
-        while list.next_element::<IgnoredAny>()?.is_some() {}
-        Ok(Some(Self(items))) // one more than allowed, which the check refuses
-    }
-}
-
-impl<T: Wire + ToSchema + Object + 'static> Entry<'_, List<T>> {
-    /// What `check` makes of every object.
-    fn each<U>(&self, object: &Scope<'_>, check: impl Fn(&T, &Scope<'_>) -> Option<U>) -> Option<Vec<U>> {
-        let List(items) = self.required(object)?;
-        let list = object.field(self.name);
-        let ListSpec { fewest, most, .. } = self.spec;
-        if !(*fewest..=*most).contains(&items.len()) {
-            list.fault(format_args!("must have from {fewest} to {most} items"));
-            return None;
-        }
-        let checked: Vec<Option<U>> = items
-            .iter()
-            .enumerate()
-            .map(|(i, item)| match item {
-                Field::Given(item) => check(item, &list.item(i)),
-                Field::Wrong(found) => {
-                    list.item(i).fault(format_args!("must be {}, not {found}", T::EXPECTED));
-                    None
-                }
-                Field::Absent => None,
-            })
-            .collect();
-        checked.into_iter().collect()
+        curves: List<ShearCurveDto> = ListSpec::required("The tests, under at least two normal stresses.", 2, MOST_CURVES),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use terramechanics::{Motion, Operation};
 
-use super::operation::{self, MethodEntries, MotionEntries, OperationEntries};
+use super::operation::{self, MethodEntries, MotionEntries, OperationEntries, operation_entries};
 use super::side_slip::{self, SideSlipEntries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};
@@ -43,22 +43,13 @@ impl Request for ForcesDto {
 
     fn check(&self, place: &Scope<'_>) -> Option<ForcesQuery> {
         let checked = OperationEntries {
-            wheel: self.wheel(),
-            soil: self.soil(),
-            contact: self.contact(),
-            sinkage: self.sinkage_m(),
-            static_sinkage: self.static_sinkage_m(),
-            slip_sinkage: self.slip_sinkage(),
-            normal_load: self.normal_load_n(),
-            normal_stress_radius: self.normal_stress_radius(),
-            peak_sinkage: self.peak_sinkage(),
-            braking: self.braking(),
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
             side_slip: Some(SideSlipEntries {
                 slip_angle: self.slip_angle_rad(),
                 shear_coupling: self.shear_coupling(),
                 bulldozing: self.bulldozing(),
             }),
+            ..operation_entries!(self)
         }
         .check(place);
         let wheel = checked.as_ref().map(|checked| &checked.operation.system.wheel);

@@ -20,7 +20,7 @@ mod track;
 mod wheel;
 
 pub(crate) use catalogue::{SoilsDto, WheelsDto};
-pub(crate) use compare::{CompareDto, CompareQuery};
+pub(crate) use compare::{Case, CompareDto, CompareQuery};
 pub(crate) use contact::{ContactDto, RULES};
 pub(crate) use coupled::{CoupledDto, CoupledQuery};
 pub(crate) use curves::{PlatesDto, PlatesQuery, ShearTestsDto, ShearTestsQuery, plates_fault, shear_fault};

@@ -138,6 +138,27 @@ pub(super) struct OperationEntries<'a> {
     pub(super) side_slip: Option<SideSlipEntries<'a>>,
 }
 
+/// The entries of a request that has the fields of an operation by these names, without those of a method and a slip angle.
+macro_rules! operation_entries {
+    ($request:expr) => {
+        OperationEntries {
+            wheel: $request.wheel(),
+            soil: $request.soil(),
+            contact: $request.contact(),
+            sinkage: $request.sinkage_m(),
+            static_sinkage: $request.static_sinkage_m(),
+            slip_sinkage: $request.slip_sinkage(),
+            normal_load: $request.normal_load_n(),
+            normal_stress_radius: $request.normal_stress_radius(),
+            peak_sinkage: $request.peak_sinkage(),
+            braking: $request.braking(),
+            method: None,
+            side_slip: None,
+        }
+    };
+}
+pub(super) use operation_entries;
+
 /// The fields that choose a method.
 pub(super) struct MethodEntries<'a> {
     pub(super) method: Entry<'a, String>,
@@ -259,38 +280,50 @@ pub(super) fn within_wheel(sinkage: f64, wheel: Option<&Wheel>, place: &Scope<'_
     }
 }
 
+/// How the closed forms are made.
+#[derive(Clone, Copy)]
+pub(super) struct ClosedForms {
+    /// The depth under the peak, where one was asked for.
+    pub(super) peak_depth: Option<PeakDepth>,
+    pub(super) lambda_a: terramechanics::Lambda,
+    pub(super) lambda_b: terramechanics::Lambda,
+}
+
+impl ClosedForms {
+    /// The method of that name.
+    pub(super) fn method(&self, name: &str) -> Option<Method> {
+        let Self { peak_depth, lambda_a, lambda_b } = *self;
+        match name {
+            "quadrature" => Some(Method::Quadrature),
+            "linearised" => Some(Method::Linearised { peak_depth: peak_depth.unwrap_or(PeakDepth::Geometric) }),
+            "explicit" => Some(Method::Explicit { peak_depth: peak_depth.unwrap_or(PeakDepth::Half), lambda_a, lambda_b }),
+            _ => None,
+        }
+    }
+}
+
+/// A constant of the explicit formulas, 0 where none was sent; what cannot be one is reported and stands for 0 as well.
+pub(super) fn checked_lambda(entry: &Entry<'_, Lambda>, place: &Scope<'_>) -> terramechanics::Lambda {
+    let sent = match entry.given(place) {
+        Some(Lambda::Number(value)) => {
+            entry.spec.number.check(&place.field(entry.name), *value).map(terramechanics::Lambda::Given)
+        }
+        Some(Lambda::Word(word)) if word == "exact" => Some(terramechanics::Lambda::Exact),
+        Some(Lambda::Word(_)) => {
+            place.field(entry.name).fault("must be a number or \"exact\"");
+            None
+        }
+        None => None,
+    };
+    sent.unwrap_or(terramechanics::Lambda::Given(0.0))
+}
+
 impl MethodEntries<'_> {
     pub(super) fn check(&self, place: &Scope<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
-        let lambda = |entry: &Entry<'_, Lambda>| -> Option<terramechanics::Lambda> {
-            if !entry.is_present() {
-                return Some(terramechanics::Lambda::Given(0.0));
-            }
-            match entry.given(place)? {
-                Lambda::Number(value) => {
-                    entry.spec.number.check(&place.field(entry.name), *value).map(terramechanics::Lambda::Given)
-                }
-                Lambda::Word(word) if word == "exact" => Some(terramechanics::Lambda::Exact),
-                Lambda::Word(_) => {
-                    place.field(entry.name).fault("must be a number or \"exact\"");
-                    None
-                }
-            }
-        };
-        let (lambda_a, lambda_b) = (lambda(&self.lambda_a), lambda(&self.lambda_b));
-        let (geometric, half) = (PeakDepth::Geometric, PeakDepth::Half);
-        let method = or_none(&self.method, place, |word| match word {
-            "quadrature" => Some(Method::Quadrature),
-            "linearised" => Some(Method::Linearised { peak_depth: peak_depth.unwrap_or(geometric) }),
-            "explicit" => Some(Method::EXPLICIT),
-            _ => None,
-        });
-        match method?.unwrap_or(Method::Quadrature) {
-            Method::Explicit { .. } => {
-                let peak_depth = peak_depth.unwrap_or(half);
-                Some(Method::Explicit { peak_depth, lambda_a: lambda_a?, lambda_b: lambda_b? })
-            }
-            other => Some(other),
-        }
+        let (lambda_a, lambda_b) = (checked_lambda(&self.lambda_a, place), checked_lambda(&self.lambda_b, place));
+        let closed_forms = ClosedForms { peak_depth, lambda_a, lambda_b };
+        let method = or_none(&self.method, place, |name| closed_forms.method(name));
+        Some(method?.unwrap_or(Method::Quadrature))
     }
 }
 

@@ -3,7 +3,7 @@
 use terramechanics::{Operation, Slip};
 
 use super::axis::{SlipAxis, SlipAxisSpec};
-use super::operation::{self, MethodEntries, OperationEntries};
+use super::operation::{self, MethodEntries, OperationEntries, operation_entries};
 use super::side_slip::{self, SideSlipEntries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};
@@ -42,22 +42,13 @@ impl Request for SweepDto {
 
     fn check(&self, place: &Scope<'_>) -> Option<SweepQuery> {
         let checked = OperationEntries {
-            wheel: self.wheel(),
-            soil: self.soil(),
-            contact: self.contact(),
-            sinkage: self.sinkage_m(),
-            static_sinkage: self.static_sinkage_m(),
-            slip_sinkage: self.slip_sinkage(),
-            normal_load: self.normal_load_n(),
-            normal_stress_radius: self.normal_stress_radius(),
-            peak_sinkage: self.peak_sinkage(),
-            braking: self.braking(),
             method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
             side_slip: Some(SideSlipEntries {
                 slip_angle: self.slip_angle_rad(),
                 shear_coupling: self.shear_coupling(),
                 bulldozing: self.bulldozing(),
             }),
+            ..operation_entries!(self)
         }
         .check(place);
         let slips = self.slip().slips(place);

@@ -115,6 +115,12 @@ impl SoilDto {
         (soil, gives_way)
     }
 
+    /// The soil with other laws, where there are any.
+    pub(super) fn with_laws(&self, shear: &Entry<'_, ShearDto>, pressure_sinkage: &Entry<'_, PressureSinkageDto>) -> Self {
+        let (shear, pressure_sinkage) = (shear.or(&self.shear), pressure_sinkage.or(&self.pressure_sinkage));
+        Self { shear, pressure_sinkage, ..self.clone() }
+    }
+
     /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.
     fn shear_law(
         &self,

@@ -2,7 +2,7 @@
 
 use terramechanics::{Motion, Operation, PeakDepth};
 
-use super::operation::{self, MotionEntries, OperationEntries};
+use super::operation::{self, MotionEntries, OperationEntries, operation_entries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Number, Scope, wire_object};
 
@@ -46,21 +46,7 @@ impl Request for ProfileDto {
     type Query = ProfileQuery;
 
     fn check(&self, place: &Scope<'_>) -> Option<ProfileQuery> {
-        let checked = OperationEntries {
-            wheel: self.wheel(),
-            soil: self.soil(),
-            contact: self.contact(),
-            sinkage: self.sinkage_m(),
-            static_sinkage: self.static_sinkage_m(),
-            slip_sinkage: self.slip_sinkage(),
-            normal_load: self.normal_load_n(),
-            normal_stress_radius: self.normal_stress_radius(),
-            peak_sinkage: self.peak_sinkage(),
-            braking: self.braking(),
-            method: None,
-            side_slip: None,
-        }
-        .check(place);
+        let checked = operation_entries!(self).check(place);
         let wheel = checked.as_ref().map(|checked| &checked.operation.system.wheel);
         let motion = MotionEntries {
             slip: self.slip(),

@@ -30,6 +30,14 @@ impl<'a, T: Wire> Entry<'a, T> {
         self.given(object)
     }
 
+    /// What was sent, right or wrong, else what `other` has.
+    pub(crate) fn or(&self, other: &Field<T>) -> Field<T>
+    where
+        T: Clone,
+    {
+        if self.is_present() { self.field.clone() } else { other.clone() }
+    }
+
     /// Whether something was sent, right or wrong.
     pub(crate) fn is_present(&self) -> bool {
         !matches!(self.field, Field::Absent)

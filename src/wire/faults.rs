@@ -60,6 +60,12 @@ impl<'a> Scope<'a> {
         self.faults.borrow_mut().push(FieldFault { pointer, detail: detail.to_string() });
     }
 
+    /// Reports a fault whose pointer starts from this place.
+    pub(crate) fn pass_on(&self, fault: FieldFault) {
+        let pointer = self.pointer() + &fault.pointer;
+        self.faults.borrow_mut().push(FieldFault { pointer, ..fault });
+    }
+
     fn pointer(&self) -> String {
         match (self.around, self.name) {
             (None, _) => String::new(),

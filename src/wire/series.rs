@@ -1,9 +1,10 @@
 //! Columns of numbers, pairs of bounds and lists of names.
 
-use serde::de::{IgnoredAny, SeqAccess};
+use serde::de::SeqAccess;
 use utoipa::openapi::schema::{ArrayBuilder, OneOfBuilder};
 use utoipa::openapi::{RefOr, Schema};
 
+use super::list::items;
 use super::{Choice, Entry, Field, Number, Scope, Spec, Wire, unknown_word};
 
 /// A column of numbers as it was sent, with one more than any column may have at most.
@@ -25,26 +26,14 @@ pub(crate) const MOST_NUMBERS: usize = 10_001;
 /// Faults of one column that are listed; the others are counted.
 const MOST_FAULTS: usize = 10;
 
-/// The items of a list, and one more than allowed where there are too many.
-fn items<'de, A: SeqAccess<'de>, T: Wire>(list: &mut A, most: usize) -> Result<Vec<Field<T>>, A::Error> {
-    let mut items = Vec::new();
-    while items.len() <= most {
-        match list.next_element()? {
-            Some(item) => items.push(item),
-            None => return Ok(items),
-        }
-    }
-    while list.next_element::<IgnoredAny>()?.is_some() {}
-    Ok(items)
-}
-
 impl SeriesSpec {
-    fn array(&self) -> ArrayBuilder {
+    /// Its schema, yet without a description.
+    pub(crate) fn array(&self) -> ArrayBuilder {
         ArrayBuilder::new().items(self.number.schema()).min_items(Some(self.fewest)).max_items(Some(MOST_NUMBERS))
     }
 
     /// The numbers of a column, if all are numbers within the bounds.
-    fn check(&self, place: &Scope<'_>, series: &Series) -> Option<Vec<f64>> {
+    pub(crate) fn check(&self, place: &Scope<'_>, series: &Series) -> Option<Vec<f64>> {
         let Series(items) = series;
         if !(self.fewest..=MOST_NUMBERS).contains(&items.len()) {
             place.fault(format_args!("must have from {} to {MOST_NUMBERS} numbers", self.fewest));
@@ -222,6 +211,8 @@ pub(crate) struct NamesSpec {
     pub(crate) doc: &'static str,
     pub(crate) word: Choice,
     pub(crate) most: usize,
+    /// Whether a list that is left out names all the words; else it has to be there.
+    pub(crate) all_unless_given: bool,
 }
 
 /// Names that any list has at most.
@@ -235,11 +226,12 @@ impl Spec for NamesSpec {
             .min_items(Some(1))
             .max_items(Some(self.most))
             .unique_items(true)
+            .default(self.all_unless_given.then(|| (self.word.words)().into()))
             .into()
     }
 
     fn is_required(&self) -> bool {
-        true
+        !self.all_unless_given
     }
 }
 
@@ -255,6 +247,9 @@ impl Wire for Names {
 impl Entry<'_, Names> {
     /// What `lookup` makes of the names, with their places in the list, known and all different.
     pub(crate) fn looked_up<T: PartialEq>(&self, object: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<Vec<T>> {
+        if !self.is_present() && self.spec.all_unless_given {
+            return (self.spec.word.words)().into_iter().map(lookup).collect();
+        }
         let Names(names) = self.required(object)?;
         let list = object.field(self.name);
         if !(1..=self.spec.most).contains(&names.len()) {

@@ -139,8 +139,31 @@ fn bounded_numbers(
     }
 }
 
+/// A comparison with a variant that has the law around the field, where the request itself has another.
+fn variation(path: &str, field: &Bounded, value: f64) -> Value {
+    let own = |pointer: &str| {
+        let below = pointer.strip_prefix("/variants/0").expect("a field of a variant");
+        let of_soil = ["/shear", "/pressure_sinkage"].iter().any(|law| below.starts_with(law));
+        format!("{}{below}", if of_soil { "/soil" } else { "" })
+    };
+    let variants = field.variants.iter().map(|(pointer, tag, name)| (own(pointer), tag.clone(), name.clone())).collect();
+    let same = Bounded { pointer: own(&field.pointer), schema: field.schema.clone(), variants };
+    let body = surroundings(path, &same, value);
+    let part = field.pointer.split('/').nth(3).expect("a part of a variant");
+    let law = body.pointer(&own(&format!("/variants/0/{part}"))).expect("the law").clone();
+    let without = with(&body, json!({part: null, "soil": {part: null}}));
+    let base = match part {
+        "pressure_sinkage" => with(&without, json!({"soil": {part: letter()["soil"][part]}})),
+        _ => without,
+    };
+    with(&base, json!({"variants": [{"name": "other", part: law}]}))
+}
+
 /// A request around the field in which both its bounds are physically possible.
 fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
+    if field.pointer.starts_with("/variants/") {
+        return variation(path, field, value);
+    }
     if let Some(mut body) = curves(path) {
         set(&mut body, &field.pointer, &field.schema, value);
         return body;

@@ -30,7 +30,7 @@ wire_object! {
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
         slip_sinkage: SlipSinkageDto = Nested::optional("Slip–sinkage law where static_sinkage_m is fitted; lyasko unless given."),
-        fit: Names = NamesSpec { doc: "The parameters to find.", word: PARAMETER, most: 13 },
+        fit: Names = NamesSpec { doc: "The parameters to find.", word: PARAMETER, most: 13, all_unless_given: false },
         data: DataDto = Nested::required("What was measured."),
         standard_deviation: DeviationsDto = Nested::optional("Standard deviations; without them every column counts by its size."),
         start: StartDto = Nested::optional("Where the search begins."),
