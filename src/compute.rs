@@ -53,9 +53,9 @@ impl Cost {
         (SLICE / Self::of_points(operation, 1).0).max(1.0) as usize
     }
 
-    /// Of `points` measurements, each predicted under its load by every method, of which the quadrature takes nearly all.
-    pub(crate) fn of_validation(points: usize) -> Self {
-        Self(points as f64 * 20.0 * 80_000.0)
+    /// Of measurements that are predicted under their load, counted by quadratures: closed forms take next to nothing.
+    pub(crate) fn of_validation((straight, sideways): (usize, usize)) -> Self {
+        Self(20.0 * (straight as f64 * 80_000.0 + sideways as f64 * 300_000.0))
     }
 
     /// Of a towed wheel, whose skid takes up to a hundred load balances (most take fifteen).

@@ -17,6 +17,7 @@ export const QUANTITIES = {
   normal_support_n: { name: "Normal support", unit: "N", factor: 1 },
   shear_support_n: { name: "Shear support", unit: "N", factor: 1 },
   lateral_force_n: { name: "Lateral force", unit: "N", factor: 1 },
+  lateral_coefficient: { name: "Lateral coefficient", unit: "", factor: 1 },
   overturning_moment_n_m: { name: "Overturning moment", unit: "N·m", factor: 1 },
   aligning_moment_n_m: { name: "Aligning moment", unit: "N·m", factor: 1 },
   sinkage_modulus: { name: "Sinkage modulus", unit: "kPa/mᴺ", factor: 1e-3 },

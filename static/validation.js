@@ -1,4 +1,4 @@
-// Published measurements beside what the methods give for them: a table of errors, and the curves of the chosen set. Nothing
+// Published measurements beside what the methods give for them: tables of errors, and the curves of the chosen set. Nothing
 // is asked of the service before the section comes near the window.
 
 import { validationSets } from "./api.js";
@@ -6,19 +6,41 @@ import { createChart } from "./chart.js";
 import { html, sentenceHtml } from "./elements.js";
 import { METHOD_NAMES, fixed, quantity, withUnit } from "./format.js";
 
-const METHODS = Object.keys(METHOD_NAMES);
-const SHORT_NAMES = { quadrature: "Quadr.", linearised: "Linear.", explicit: "Expl." };
+/** The series of a set: those straight ahead, and those of a wheel at a slip angle, which differ by their laws alone. */
+const SERIES_NAMES = { ...METHOD_NAMES, quadrature_two_zone: "Quadrature, two zones" };
+const SIDE_NAMES = {
+  quadrature: "Independent, full",
+  quadrature_mobilised: "Independent, mobilised",
+  quadrature_coupled: "Coupled, full",
+  quadrature_coupled_mobilised: "Coupled, mobilised",
+};
+const isSideways = (set) => set.slip_angle_rad !== undefined;
+const hasTwoZones = (set) => set.results.some(({ braking }) => braking === "two_zone");
+const namesOf = (set) => (isSideways(set) ? SIDE_NAMES : SERIES_NAMES);
 const GRADES = { measured: "measured", digitised: "read off figures", simulated: "simulated", worked_example: "worked example" };
 
-/** What the table states: as text, in the unit of its heading. */
-const ERRORS = [
-  { name: "drawbar_rmse_over_load", title: "Drawbar pull, error over load", text: (value) => fixed(value, 3) },
-  { name: "sinkage_rmse_m", title: "Sinkage, error in mm", text: (value) => fixed(value * 1e3, 1) },
-  { name: "torque_rmse_n_m", title: "Torque, error in N·m", text: (value) => fixed(value, 2) },
+/** What a table states: as text, in the unit of its heading. */
+const PULL = { name: "drawbar_rmse_over_load", title: "Drawbar pull, error over load", text: (value) => fixed(value, 3) };
+const SINKAGE = { name: "sinkage_rmse_m", title: "Sinkage, error in mm", text: (value) => fixed(value * 1e3, 1) };
+const TORQUE = { name: "torque_rmse_n_m", title: "Torque, error in N·m", text: (value) => fixed(value, 2) };
+const LATERAL = { name: "lateral_rmse_over_load", title: "Lateral force, error over load", text: (value) => fixed(value, 3) };
+
+/** The tables: which sets, which errors, by which series, under which headings. */
+const TABLES = [
+  { id: "validation-errors", of: (set) => !isSideways(set), errors: [PULL, SINKAGE, TORQUE], series: { quadrature: "Quadr.", linearised: "Linear.", explicit: "Expl." }, names: SERIES_NAMES },
+  { id: "validation-braking", of: hasTwoZones, errors: [PULL, SINKAGE], series: { quadrature: "One zone", quadrature_two_zone: "Two zones" }, names: SERIES_NAMES },
+  {
+    id: "validation-side",
+    of: isSideways,
+    errors: [LATERAL, PULL],
+    series: { quadrature: "Indep., full", quadrature_mobilised: "Indep., mob.", quadrature_coupled: "Coupled, full", quadrature_coupled_mobilised: "Coupled, mob." },
+    names: SIDE_NAMES,
+  },
 ];
 
 const CHARTS = [
   { id: "validation-drawbar-chart", column: "drawbar_coefficient", title: "Drawbar pull over load", unit: "", factor: 1 },
+  { id: "validation-lateral-chart", column: "lateral_coefficient", title: "Lateral force over load", unit: "", factor: 1 },
   { id: "validation-sinkage-chart", column: "sinkage_m", title: "Sinkage", unit: "mm", factor: 1e3 },
   { id: "validation-torque-chart", column: "torque_n_m", title: "Torque", unit: "N·m", factor: 1 },
 ];
@@ -32,47 +54,57 @@ const byId = (id) => document.getElementById(id);
 const percent = (value) => withUnit(fixed(value, 1), "%");
 const scaled = (values, factor) => values.map((value) => (value === null ? null : value * factor));
 
-function errorCell({ name, text }, { method, ...result }) {
+function errorCell({ name, text }, { series, ...result }) {
   const value = result[name];
-  const gaps = result.unsolved ? `${result.unsolved} points have no solution and do not count` : null;
-  return html("td", { "data-error": name, "data-method": method, "data-value": value ?? "", title: gaps },
+  const gaps = result.unsolved ? `${result.unsolved} of ${result.solved + result.unsolved} points have no solution and do not count` : null;
+  return html("td", { "data-error": name, "data-series": series, "data-value": value ?? "", title: gaps },
     value === null ? "–" : text(value), value !== null && gaps ? "*" : "");
 }
 
-function errorTable(sets, choose) {
+function errorTable(sets, { errors, series, names }, choose) {
+  const shown = Object.keys(series);
   const row = (set) => {
-    const { fitted } = set.results[0];
+    const results = set.results.filter((result) => shown.includes(result.series));
+    const { fitted } = results[0];
     return html("tr", { "data-set": set.id },
       html("th", { scope: "row" }, choose(set)),
       html("td", {}, set.points),
       html("td", { class: fitted ? "kind fitted" : "kind", "data-fitted": String(fitted) }, fitted ? "fitted" : "predicted"),
-      ...ERRORS.flatMap((error) => set.results.map((result) => errorCell(error, result))));
+      ...errors.flatMap((error) => results.map((result) => errorCell(error, result))));
   };
   return html("table", {},
     html("thead", {},
       html("tr", {},
         html("th", { scope: "col", rowspan: 2 }, "Set"), html("th", { scope: "col", rowspan: 2 }, "Points"), html("th", { scope: "col", rowspan: 2 }, "Kind"),
-        ...ERRORS.map(({ title }) => html("th", { scope: "colgroup", colspan: METHODS.length }, title))),
-      html("tr", {}, ...ERRORS.flatMap(() => METHODS.map((method) => html("th", { scope: "col", title: METHOD_NAMES[method] }, SHORT_NAMES[method]))))),
+        ...errors.map(({ title }) => html("th", { scope: "colgroup", colspan: shown.length }, title))),
+      html("tr", {}, ...errors.flatMap(() => shown.map((name) => html("th", { scope: "col", title: names[name] }, series[name]))))),
     html("tbody", {}, ...sets.map(row)));
 }
 
-function describe({ id, title, source, grade, note, fitted_to: fitted, warnings }) {
+/** A warning with the series it is about, which stand before it by their names in the answer, as the charts call them. */
+function sentence(detail, names) {
+  const [before, ...rest] = detail.split(": ");
+  const series = before.split(", ");
+  return series.every((name) => name in names) ? [series.map((name) => names[name]).join("; "), ...rest].join(": ") : detail;
+}
+
+function describe({ id, title, source, grade, note, fitted_to: fitted, warnings, ...set }) {
   const paragraphs = [
     html("h3", {}, title),
     html("p", { class: "source" }, html("span", { class: "grade" }, GRADES[grade] ?? grade), " ", source, " ", html("a", { href: `/v1/validation/${id}` }, "JSON")),
     fitted && html("p", { class: "fitted" }, `Fitted: ${fitted}`),
-    note && html("p", { class: "note" }, note),
-    ...warnings.map(({ code, detail }) => html("p", { class: "note", "data-warning": code }, ...sentenceHtml(detail))),
+    note && html("p", { class: "note" }, ...sentenceHtml(note)),
+    ...warnings.map(({ code, detail }) => html("p", { class: "note", "data-warning": code }, ...sentenceHtml(sentence(detail, namesOf(set))))),
   ];
   byId("validation-set").replaceChildren(...paragraphs.filter(Boolean));
 }
 
 /** Measured points over predicted curves. */
-function spec({ columns, title: set }, { column, title, unit, factor }) {
+function spec({ columns, title: set, results, ...rest }, { column, title, unit, factor }) {
   const slips = scaled(columns.slip, 100);
   const margin = Math.max(LEAST_MARGIN, MARGIN * (slips.at(-1) - slips[0]));
-  const predicted = METHODS.map((method) => ({ key: method, name: METHOD_NAMES[method], values: scaled(columns.predicted[method][column], factor) }));
+  const names = namesOf(rest);
+  const predicted = results.map(({ series }) => ({ key: series, name: names[series], values: scaled(columns.predicted[series][column], factor) }));
   const measured = { key: "measured", name: "Measured", values: scaled(columns.measured[column], factor) };
   // A lone point makes no line.
   const dotted = slips.length === 1 ? [measured, ...predicted] : [measured];
@@ -102,7 +134,7 @@ export function connectValidation(section) {
     for (const part of ["validation-set", "validation-charts"]) byId(part).hidden = false;
     charts ??= CHARTS.map((chart) => ({ ...chart, view: createChart(byId(chart.id)) }));
     for (const { id, view, ...chart } of charts) {
-      const isMeasured = set.columns.measured[chart.column].some((value) => value !== null);
+      const isMeasured = set.columns.measured[chart.column]?.some((value) => value !== null) ?? false;
       byId(id).closest("figure").hidden = !isMeasured;
       if (isMeasured) {
         view.setCursor(null);
@@ -122,9 +154,10 @@ export function connectValidation(section) {
         button.addEventListener("click", () => show(set));
         return button;
       };
-      const errors = byId("validation-errors");
-      errors.replaceChildren(errorTable(sets, choose));
-      errors.hidden = false;
+      for (const { id, of, ...table } of TABLES) {
+        byId(id).replaceChildren(errorTable(sets.filter(of), table, choose));
+        byId(id).closest("[hidden]").hidden = false;
+      }
       status.textContent = "Choose a set to see its points. A dash: not measured. An asterisk: some points have no solution and do not count.";
       show(sets[0]);
       section.dataset.state = "ready";

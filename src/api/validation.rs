@@ -32,14 +32,15 @@ fn sets() -> &'static [ValidationSet] {
 }
 
 fn cost() -> Cost {
-    if SETS.get().is_some() { Cost::NONE } else { Cost::of_validation(validation::point_count()) }
+    if SETS.get().is_some() { Cost::NONE } else { Cost::of_validation(validation::quadratures()) }
 }
 
 /// Published measurements, with what the methods give for them
 ///
 /// Each set has its source, the wheel and soil that stand for the measured ones, and the errors of every method under the
 /// measured load. Where parameters were fitted to the very measurements, `fitted` is true: those errors are no predictions.
-/// The same comes as a table for one set.
+/// Braking wheels are run by both laws of braking, wheels at a slip angle by the quadrature with every `shear_coupling` and
+/// `bulldozing`. The same comes as a table for one set.
 #[utoipa::path(get, path = "/v1/validation", tag = "catalogue", responses((status = 200, description = "The sets", body = ValidationReply), Limits))]
 pub(crate) async fn validation(State(service): State<Service>) -> Result<Response, Problem> {
     static TEXT: OnceLock<Bytes> = OnceLock::new();
@@ -49,7 +50,7 @@ pub(crate) async fn validation(State(service): State<Service>) -> Result<Respons
 
 /// One set of published measurements
 ///
-/// With `Accept: text/csv` the columns come as a table, named `measured.column` and `predicted.method.column`.
+/// With `Accept: text/csv` the columns come as a table, named `measured.column` and `predicted.series.column`.
 #[utoipa::path(
     get,
     path = "/v1/validation/{id}",

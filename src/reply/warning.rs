@@ -85,16 +85,47 @@ impl RowCautions {
 
     /// One warning per kind, for a table of `count` rows.
     pub(crate) fn into_warnings(self, count: usize) -> impl Iterator<Item = Warning> {
-        self.0.into_iter().map(move |(worst, rows)| {
-            let warning = Warning::from(worst);
-            let detail = if rows.len() == count {
-                warning.detail
-            } else {
-                format!("at indices {}; furthest out: {}", rows_in_words(&rows), warning.detail)
-            };
-            Warning { detail, ..warning }
-        })
+        self.0.into_iter().map(move |(worst, rows)| at_rows(worst, &rows, count))
     }
+}
+
+fn at_rows(worst: Caution, rows: &[usize], count: usize) -> Warning {
+    let warning = Warning::from(worst);
+    let detail = if rows.len() == count {
+        warning.detail
+    } else {
+        format!("at indices {}; furthest out: {}", rows_in_words(rows), warning.detail)
+    };
+    Warning { detail, ..warning }
+}
+
+/// The cautions of several runs over the same `count` rows: one warning per kind where the rows agree, with the value that is
+/// furthest out, and the names of the runs unless it is all of them.
+pub(crate) fn shared_warnings(runs: Vec<(&'static str, RowCautions)>, count: usize) -> Vec<Warning> {
+    let all = runs.len();
+    let mut found: Vec<(Caution, Vec<usize>, Vec<&str>)> = Vec::new();
+    for (name, RowCautions(cautions)) in runs {
+        for (caution, rows) in cautions {
+            match found.iter_mut().find(|(known, at, _)| known.kind == caution.kind && *at == rows) {
+                Some((worst, _, names)) => {
+                    names.push(name);
+                    if caution.excess() > worst.excess() {
+                        *worst = caution;
+                    }
+                }
+                None => found.push((caution, rows, vec![name])),
+            }
+        }
+    }
+    let warnings = found.into_iter().map(|(worst, rows, names)| {
+        let warning = at_rows(worst, &rows, count);
+        if names.len() == all {
+            warning
+        } else {
+            Warning { detail: format!("{}: {}", names.join(", "), warning.detail), ..warning }
+        }
+    });
+    warnings.collect()
 }
 
 /// Rows in words: `3, 5–9 and 12`, cut where there are too many.

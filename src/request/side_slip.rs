@@ -12,12 +12,12 @@ pub(super) const SLIP_ANGLE: Number = Number::new(
 )
 .angle();
 pub(super) const SHEAR_COUPLING: Choice = Choice {
-    doc: "Shear stresses along and across the wheel: independent of each other (Ishigami et al.), or coupled into one along the slip velocity (Pavlov & Johnson).",
+    doc: "Shear stresses along and across the wheel: independent of each other (Ishigami et al.), or coupled into one along the slip velocity (Pavlov & Johnson), which is nearer to the measurements of `/v1/validation`.",
     words: || vec!["independent", "coupled"],
     default: Some("independent"),
 };
 pub(super) const BULLDOZING: Choice = Choice {
-    doc: "Pressure of the soil on the side wall: full, however small the slip angle (Ishigami et al.), or the share that the sideways displacement has mobilised.",
+    doc: "Pressure of the soil on the side wall: full, however small the slip angle (Ishigami et al.), or the share that the sideways displacement has mobilised, which is nearer to the measurements of `/v1/validation`.",
     words: || vec!["full", "mobilised"],
     default: Some("full"),
 };

@@ -7,14 +7,17 @@
 
 mod prediction;
 mod record;
+mod run;
+mod side_slip;
 
-pub(crate) use prediction::{METHODS, Prediction, root_mean_square};
-pub(crate) use record::{MeasurementGrade, Record};
+pub(crate) use prediction::{Prediction, root_mean_square};
+pub(crate) use record::{MeasurementGrade, Quantities, Record};
+pub(crate) use run::Run;
 
 use std::sync::LazyLock;
 
 /// The records, in the order in which they are shown.
-const RECORDS: [&str; 17] = [
+const RECORDS: [&str; 23] = [
     include_str!("../../validation/ding-2011-smooth.json"),
     include_str!("../../validation/ding-2011-smooth-fitted.json"),
     include_str!("../../validation/ding-2011-lug10.json"),
@@ -31,6 +34,12 @@ const RECORDS: [&str; 17] = [
     include_str!("../../validation/cmu-grousered-braking.json"),
     include_str!("../../validation/cmu-smooth-driving.json"),
     include_str!("../../validation/cmu-smooth-braking.json"),
+    include_str!("../../validation/cmu-grousered-side-15.json"),
+    include_str!("../../validation/cmu-grousered-side-30.json"),
+    include_str!("../../validation/cmu-grousered-side-45.json"),
+    include_str!("../../validation/cmu-smooth-side-15.json"),
+    include_str!("../../validation/cmu-smooth-side-30.json"),
+    include_str!("../../validation/cmu-smooth-side-45.json"),
     include_str!("../../validation/apollo-lrv.json"),
 ];
 
@@ -56,9 +65,14 @@ pub(crate) fn ids() -> Vec<&'static str> {
     records().iter().map(|record| record.id.as_str()).collect()
 }
 
-/// Points of all sets together.
-pub(crate) fn point_count() -> usize {
-    records().iter().map(|record| record.points().slip.len()).sum()
+/// Operating points that all sets together take by the quadrature: straight ahead, and at a slip angle.
+pub(crate) fn quadratures() -> (usize, usize) {
+    let of = |is_sideways: bool| {
+        let runs = records().iter().flat_map(|record| record.runs().iter().map(move |run| (record, run)));
+        let by_quadrature = runs.filter(|(_, run)| run.method == "quadrature" && run.side.is_some() == is_sideways);
+        by_quadrature.map(|(record, _)| record.points().slip.len()).sum()
+    };
+    (of(false), of(true))
 }
 
 #[cfg(test)]
@@ -80,10 +94,12 @@ mod tests {
         for record in records() {
             let points = record.points();
             assert!(points.slip.is_sorted() && !points.slip.is_empty(), "{}", record.id);
-            for column in [points.load(), points.longitudinal_force(), points.sinkage(), points.torque()] {
+            let Quantities { longitudinal_force, sinkage, torque, lateral_force } = points.measured();
+            for column in [points.load(), longitudinal_force, sinkage, torque, lateral_force] {
                 assert_eq!(column.len(), points.slip.len(), "{}", record.id);
             }
             assert!(points.load().iter().all(|load| *load > 0.0));
+            assert!(record.slip().is_sorted(), "{}", record.id);
         }
     }
 }

@@ -1,22 +1,17 @@
 //! What the model gives at the points of a set: each is the request that a client would send to `/v1/forces`.
 
-use serde_json::json;
 use terramechanics::{Caution, OperatingPoint, Outcome, cautions};
 
-use super::Record;
+use super::{Quantities, Record, Run};
 use crate::reply::RowCautions;
 use crate::request::{ForcesDto, ForcesQuery, checked};
 use crate::wire::read;
 
-/// The methods that every set is run by.
-pub(crate) const METHODS: [&str; 3] = ["quadrature", "linearised", "explicit"];
-
-/// What one method gives at the measured slips and loads, NaN where it has no solution.
-#[derive(Debug)]
+/// What one run gives at the measured slips and loads, NaN where it has no solution.
+#[derive(Debug, Default)]
 pub(crate) struct Prediction {
-    pub(crate) longitudinal_force: Vec<f64>,
-    pub(crate) sinkage: Vec<f64>,
-    pub(crate) torque: Vec<f64>,
+    /// The lateral force is NaN also where the wheel goes straight ahead.
+    pub(crate) quantities: Quantities,
     /// Points without a solution, and why.
     pub(crate) gaps: Vec<(usize, String)>,
     /// What to take with care, with its points.
@@ -24,25 +19,19 @@ pub(crate) struct Prediction {
 }
 
 impl Prediction {
-    /// The points of `record` by `method`.
-    pub(crate) fn of(record: &Record, method: &str) -> Self {
-        let points = record.points();
-        let mut prediction = Self {
-            longitudinal_force: Vec::new(),
-            sinkage: Vec::new(),
-            torque: Vec::new(),
-            gaps: Vec::new(),
-            cautions: RowCautions::default(),
-        };
-        for (row, (&slip, load)) in points.slip.iter().zip(points.load()).enumerate() {
-            match point(record, method, slip, load) {
+    /// The points of `record` by `run`.
+    pub(crate) fn of(record: &Record, run: &Run) -> Self {
+        let mut prediction = Self::default();
+        for row in 0..record.points().slip.len() {
+            match point(record, run, row) {
                 Ok((point, cautions)) => {
                     let forces = &point.forces;
-                    prediction.push([forces.longitudinal, point.sinkage, forces.torque]);
+                    let lateral = forces.side.map_or(f64::NAN, |side| side.lateral);
+                    prediction.push([forces.longitudinal, point.sinkage, forces.torque, lateral]);
                     prediction.cautions.add(row, cautions.into_iter());
                 }
                 Err(reason) => {
-                    prediction.push([f64::NAN; 3]);
+                    prediction.push([f64::NAN; 4]);
                     prediction.gaps.push((row, reason));
                 }
             }
@@ -50,28 +39,35 @@ impl Prediction {
         prediction
     }
 
-    fn push(&mut self, [longitudinal_force, sinkage, torque]: [f64; 3]) {
-        self.longitudinal_force.push(longitudinal_force);
-        self.sinkage.push(sinkage);
-        self.torque.push(torque);
+    fn push(&mut self, [longitudinal_force, sinkage, torque, lateral_force]: [f64; 4]) {
+        self.quantities.longitudinal_force.push(longitudinal_force);
+        self.quantities.sinkage.push(sinkage);
+        self.quantities.torque.push(torque);
+        self.quantities.lateral_force.push(lateral_force);
     }
 }
 
-/// The operating point at one slip under one load, or why there is none.
-fn point(record: &Record, method: &str, slip: f64, load: f64) -> Result<(OperatingPoint, Vec<Caution>), String> {
-    let query = query(record, method, slip, load)?;
+/// The operating point of a row, or why there is none.
+fn point(record: &Record, run: &Run, row: usize) -> Result<(OperatingPoint, Vec<Caution>), String> {
+    let query = query(record, run, row)?;
     let point = query.operation.at(query.motion.slip).map_err(|error| error.to_string())?;
     let cautions = cautions(&query.operation, &Outcome::from(&point)).collect();
     Ok((point, cautions))
 }
 
-/// The request for one point.
-fn query(record: &Record, method: &str, slip: f64, load: f64) -> Result<ForcesQuery, String> {
-    let mut body = json!({
-        "wheel": record.wheel, "soil": record.soil, "slip": slip, "normal_load_n": load, "method": method
-    });
-    if let Some(contact) = &record.contact {
-        body["contact"] = contact.clone();
+/// The request for a row.
+fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesQuery, String> {
+    let points = record.points();
+    let mut body = run.fields();
+    body["wheel"] = record.wheel.clone();
+    body["soil"] = record.soil.clone();
+    body["slip"] = record.slip()[row].into();
+    body["normal_load_n"] = points.load()[row].into();
+    if let Some(contact) = record.contact_at(points.slip[row]) {
+        body["contact"] = contact;
+    }
+    if let Some(side) = record.side_slip {
+        body["slip_angle_rad"] = side.angle().into();
     }
     let field = read::<ForcesDto>(body.to_string().as_bytes()).map_err(|error| error.to_string())?;
     checked(&field).map_err(|faults| format!("{faults:?}"))
@@ -92,9 +88,9 @@ mod tests {
     #[test]
     fn every_point_is_a_request() {
         for record in records() {
-            for (slip, load) in record.points().slip.iter().zip(record.points().load()) {
-                for method in METHODS {
-                    assert_eq!(query(record, method, *slip, load).err(), None, "{}", record.id);
+            for run in record.runs() {
+                for row in 0..record.points().slip.len() {
+                    assert_eq!(query(record, run, row).err(), None, "{} {}", record.id, run.series);
                 }
             }
         }

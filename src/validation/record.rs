@@ -4,6 +4,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
+use super::run::{BRAKING, Run, SIDEWAYS, STRAIGHT};
+use super::side_slip::SideSlipOfSet;
+
 /// How well measurements are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
@@ -30,6 +33,8 @@ pub(crate) struct Record {
     pub(crate) wheel: Value,
     pub(crate) soil: Value,
     pub(crate) contact: Option<Value>,
+    /// Where the wheel moved at a slip angle: its slips are then those of travel, and the contact goes with them.
+    pub(crate) side_slip: Option<SideSlipOfSet>,
     /// What of the parameters was fitted to these measurements.
     pub(crate) fitted_to: Option<String>,
     measured: Measured,
@@ -43,7 +48,7 @@ enum Measured {
     SameAs(String),
 }
 
-/// Measurements by slip; a quantity that was not measured is left out.
+/// Measurements by slip as published; a quantity that was not measured is left out.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Points {
@@ -52,6 +57,20 @@ pub(crate) struct Points {
     longitudinal_force_n: Option<Vec<Option<f64>>>,
     sinkage_m: Option<Vec<Option<f64>>>,
     torque_n_m: Option<Vec<Option<f64>>>,
+    lateral_force_n: Option<Vec<Option<f64>>>,
+}
+
+/// What is compared, point by point.
+#[derive(Debug, Default)]
+pub(crate) struct Quantities {
+    /// Drawbar pull F_x (N).
+    pub(crate) longitudinal_force: Vec<f64>,
+    /// Sinkage z (m).
+    pub(crate) sinkage: Vec<f64>,
+    /// Torque T (N·m).
+    pub(crate) torque: Vec<f64>,
+    /// Lateral force F_y (N), positive against the sideways motion.
+    pub(crate) lateral_force: Vec<f64>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -81,6 +100,28 @@ impl Record {
             },
         }
     }
+
+    /// Slip in the plane of the wheel at each point, as a request has it.
+    pub(crate) fn slip(&self) -> Vec<f64> {
+        let published = self.points().slip.iter();
+        published.map(|slip| self.side_slip.map_or(*slip, |side| side.slip(*slip))).collect()
+    }
+
+    /// The contact of a request for the point of that published slip, where the set has one of its own.
+    pub(super) fn contact_at(&self, published_slip: f64) -> Option<Value> {
+        self.side_slip.map(|side| side.contact(published_slip)).or_else(|| self.contact.clone())
+    }
+
+    /// The ways in which it is run.
+    pub(crate) fn runs(&self) -> &'static [Run] {
+        if self.side_slip.is_some() {
+            &SIDEWAYS
+        } else if self.points().slip.iter().all(|slip| *slip < 0.0) {
+            &BRAKING
+        } else {
+            &STRAIGHT
+        }
+    }
 }
 
 impl Points {
@@ -92,19 +133,14 @@ impl Points {
         }
     }
 
-    /// Drawbar pull at each point (N), NaN where it was not measured.
-    pub(crate) fn longitudinal_force(&self) -> Vec<f64> {
-        self.column(self.longitudinal_force_n.as_ref())
-    }
-
-    /// Sinkage at each point (m), NaN where it was not measured.
-    pub(crate) fn sinkage(&self) -> Vec<f64> {
-        self.column(self.sinkage_m.as_ref())
-    }
-
-    /// Torque at each point (N·m), NaN where it was not measured.
-    pub(crate) fn torque(&self) -> Vec<f64> {
-        self.column(self.torque_n_m.as_ref())
+    /// What was measured at each point, NaN where it was not.
+    pub(crate) fn measured(&self) -> Quantities {
+        Quantities {
+            longitudinal_force: self.column(self.longitudinal_force_n.as_ref()),
+            sinkage: self.column(self.sinkage_m.as_ref()),
+            torque: self.column(self.torque_n_m.as_ref()),
+            lateral_force: self.column(self.lateral_force_n.as_ref()),
+        }
     }
 
     fn column(&self, values: Option<&Vec<Option<f64>>>) -> Vec<f64> {

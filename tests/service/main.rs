@@ -24,4 +24,5 @@ mod towed;
 mod track;
 mod track_stream;
 mod validation;
+mod validation_laws;
 mod warnings;

@@ -117,33 +117,124 @@ fn the_size_of_the_catalogue_is_the_one_stated() {
     assert!(README.contains(&stated), "{stated}");
 }
 
-/// Every set with its errors, rounded as shown; in brackets the points with a solution, where some have none.
+fn sets() -> Vec<Value> {
+    get("/v1/validation").ok()["sets"].as_array().expect("sets").clone()
+}
+
+fn rounded(value: &Value, factor: f64, digits: usize) -> String {
+    value.as_f64().map_or_else(|| "–".to_owned(), |value| format!("{:.digits$}", value * factor))
+}
+
+/// An error over the load; in brackets the points with a solution, where some have none.
+fn over_load(result: &Value, error: &str) -> String {
+    let error = rounded(&result[error], 1.0, 3);
+    if result["unsolved"] == 0 { error } else { format!("{error} ({})", result["solved"]) }
+}
+
+fn assert_row(cells: &[String]) {
+    let row = format!("| {} |", cells.join(" | "));
+    assert!(README.lines().any(|line| line == row), "the README lacks: {row}");
+}
+
+/// Every set with its errors, rounded as shown.
 #[test]
 fn the_errors_against_measurements_are_those_of_the_service() {
-    let rounded = |value: &Value, factor: f64, digits: usize| match value.as_f64() {
-        Some(value) => format!("{:.digits$}", value * factor),
-        None => "–".to_owned(),
-    };
-    let reply = get("/v1/validation").ok();
-    let sets = reply["sets"].as_array().expect("sets");
-    for set in sets {
-        let id = set["id"].as_str().expect("an id");
+    let sets = sets();
+    for set in &sets {
         let results = set["results"].as_array().expect("results");
-        let points = set["points"].as_u64().expect("points");
-        let pull = results.iter().map(|result| {
-            let error = rounded(&result["drawbar_rmse_over_load"], 1.0, 3);
-            match result["unsolved"].as_u64() {
-                Some(unsolved) if unsolved > 0 => format!("{error} ({})", points - unsolved),
-                _ => error,
-            }
-        });
         let kind = if results[0]["fitted"] == true { "fitted" } else { "predicted" };
-        let mut cells = vec![format!("`{id}`"), points.to_string(), kind.to_owned()];
-        cells.extend(pull);
-        cells.push(rounded(&results[0]["sinkage_rmse_m"], 1e3, 1));
-        cells.push(rounded(&results[0]["torque_rmse_n_m"], 1.0, 2));
-        let row = format!("| {} |", cells.join(" | "));
-        assert!(README.lines().any(|line| line == row), "the README lacks: {row}");
+        let mut cells = vec![format!("`{}`", set["id"].as_str().expect("an id")), set["points"].to_string(), kind.to_owned()];
+        if set["slip_angle_rad"].is_number() {
+            cells.extend(results.iter().map(|result| over_load(result, "lateral_rmse_over_load")));
+            cells.extend([0, 2].map(|i| over_load(&results[i], "drawbar_rmse_over_load")));
+        } else {
+            cells.extend(results.iter().take(3).map(|result| over_load(result, "drawbar_rmse_over_load")));
+            cells.push(rounded(&results[0]["sinkage_rmse_m"], 1e3, 1));
+            cells.push(rounded(&results[0]["torque_rmse_n_m"], 1.0, 2));
+        }
+        assert_row(&cells);
     }
     assert_eq!(README.lines().filter(|line| line.contains("| predicted |") || line.contains("| fitted |")).count(), sets.len());
+}
+
+/// Both laws of braking, each error as shown, and over the rows that both solve, recomputed here.
+#[test]
+fn the_errors_of_both_laws_of_braking_are_those_of_the_service() {
+    let mut braking = 0;
+    for set in sets() {
+        let results = set["results"].as_array().expect("results");
+        let Some(two) = results.iter().find(|result| result["braking"] == "two_zone") else { continue };
+        let mut cells = vec![format!("`{}`", set["id"].as_str().expect("an id"))];
+        cells.extend([&results[0], two].map(|result| over_load(result, "drawbar_rmse_over_load")));
+        cells.extend([&results[0], two].map(|result| rounded(&result["sinkage_rmse_m"], 1e3, 1)));
+        assert_row(&cells);
+        braking += 1;
+        if set["id"] == "cmu-grousered-braking" {
+            let errors = common_errors(&[set.clone()], &["quadrature", "quadrature_two_zone"], "drawbar_coefficient");
+            assert_eq!(errors.map(|(error, points)| (format!("{error:.3}"), points)), Some(("0.049".to_owned(), 3)));
+        }
+    }
+    assert_eq!(braking, 2);
+    assert!(README.contains("one zone errs by 0.049, too"));
+}
+
+/// The error of the first series over the points that all of them solve, and their number.
+fn common_errors(sets: &[Value], series: &[&str], name: &str) -> Option<(f64, usize)> {
+    let mut squares = Vec::new();
+    for set in sets {
+        let columns = &set["columns"];
+        for row in 0..columns["slip"].as_array()?.len() {
+            let all: Option<Vec<f64>> = series.iter().map(|series| columns["predicted"][series][name][row].as_f64()).collect();
+            squares.extend(all.map(|all| (all[0] - columns["measured"][name][row].as_f64().unwrap_or(f64::NAN)).powi(2)));
+        }
+    }
+    let count = squares.len();
+    (count > 0).then(|| ((squares.iter().sum::<f64>() / count as f64).sqrt(), count))
+}
+
+/// The errors of the lateral force over all slip angles, from the columns.
+#[test]
+fn the_pooled_errors_of_the_side_force_are_those_of_the_columns() {
+    const SERIES: [&str; 4] = ["quadrature", "quadrature_mobilised", "quadrature_coupled", "quadrature_coupled_mobilised"];
+    let of = |wheel: &str| -> Vec<Value> {
+        let prefix = format!("cmu-{wheel}-side-");
+        sets().into_iter().filter(|set| set["id"].as_str().is_some_and(|id| id.starts_with(&prefix))).collect()
+    };
+    let text = README.replace('\n', " ");
+    let pooled = |sets: &[Value], beside: &[&str]| {
+        let errors = SERIES.map(|series| {
+            let together: Vec<&str> = [series].into_iter().chain(beside.iter().copied()).collect();
+            common_errors(sets, &together, "lateral_coefficient").expect("points")
+        });
+        let words = errors.map(|(error, _)| format!("{error:.3}"));
+        (format!("{}, {}, {} and {}", words[0], words[1], words[2], words[3]), errors.map(|(_, count)| count))
+    };
+    let (grousered, smooth) = (of("grousered"), of("smooth"));
+    for (sets, beside, counts) in [(&grousered, &[][..], [24; 4]), (&smooth, &[], [24, 24, 22, 22]), (&smooth, &SERIES, [22; 4])]
+    {
+        let (words, found) = pooled(sets, beside);
+        assert!(text.contains(&words), "the README lacks: {words}");
+        assert_eq!(found, counts);
+    }
+    assert!(README.contains("0.35 and 0.27 of the load"));
+    for (sets, driving, braking) in [(&grousered, "0.07", "0.27"), (&smooth, "0.04", "0.19")] {
+        for (series, drives, quoted) in [(SERIES[1], true, driving), (SERIES[3], true, driving), (SERIES[3], false, braking)] {
+            let parts: Vec<Value> = sets.iter().map(|set| only(set, |slip| (slip >= 0.0) == drives)).collect();
+            let (error, _) = common_errors(&parts, &[series], "lateral_coefficient").expect("points");
+            assert_eq!(format!("{error:.2}"), quoted, "{series}");
+        }
+    }
+    assert!(text.contains("down to 0.07 (grousered) and 0.04 (smooth)") && text.contains("the last pair least: 0.27 and 0.19"));
+}
+
+/// The set with its predictions at other slips struck out.
+fn only(set: &Value, is_meant: impl Fn(f64) -> bool) -> Value {
+    let mut set = set.clone();
+    let slips: Vec<f64> = set["columns"]["slip"].as_array().expect("slips").iter().filter_map(Value::as_f64).collect();
+    for forces in set["columns"]["predicted"].as_object_mut().expect("series").values_mut() {
+        for (row, _) in slips.iter().enumerate().filter(|(_, slip)| !is_meant(**slip)) {
+            forces["lateral_coefficient"][row] = Value::Null;
+        }
+    }
+    set
 }

@@ -1,0 +1,61 @@
+//! The ways in which a set is run: a method, and the laws that a request chooses beside it.
+
+use serde_json::{Value, json};
+
+/// One way to predict the points of a set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Run {
+    /// Its name among the predicted columns: the method, and what departs from the defaults of a request.
+    pub(crate) series: &'static str,
+    pub(crate) method: &'static str,
+    /// Law of a braking wheel; without effect on one that drives.
+    pub(crate) braking: &'static str,
+    /// For motion at a slip angle.
+    pub(crate) side: Option<SideLaws>,
+}
+
+/// What is chosen for a wheel that moves at a slip angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct SideLaws {
+    pub(crate) shear_coupling: &'static str,
+    pub(crate) bulldozing: &'static str,
+}
+
+const fn by(method: &'static str) -> Run {
+    Run { series: method, method, braking: "one_zone", side: None }
+}
+
+const fn sideways(series: &'static str, shear_coupling: &'static str, bulldozing: &'static str) -> Run {
+    Run { series, side: Some(SideLaws { shear_coupling, bulldozing }), ..by("quadrature") }
+}
+
+/// Straight ahead: every method.
+pub(super) const STRAIGHT: [Run; 3] = [by("quadrature"), by("linearised"), by("explicit")];
+
+/// A wheel that brakes at every point: also by the other law of braking, which has no closed form.
+pub(super) const BRAKING: [Run; 4] =
+    [STRAIGHT[0], STRAIGHT[1], STRAIGHT[2], Run { series: "quadrature_two_zone", braking: "two_zone", ..STRAIGHT[0] }];
+
+/// At a slip angle: every pair of laws, the defaults of a request first. No closed form has a lateral force, and no slip angle
+/// has two zones.
+pub(super) const SIDEWAYS: [Run; 4] = [
+    sideways("quadrature", "independent", "full"),
+    sideways("quadrature_mobilised", "independent", "mobilised"),
+    sideways("quadrature_coupled", "coupled", "full"),
+    sideways("quadrature_coupled_mobilised", "coupled", "mobilised"),
+];
+
+impl Run {
+    /// The fields of a request that choose it.
+    pub(super) fn fields(&self) -> Value {
+        let mut fields = json!({"method": self.method});
+        if self.braking != "one_zone" {
+            fields["braking"] = self.braking.into();
+        }
+        if let Some(SideLaws { shear_coupling, bulldozing }) = self.side {
+            fields["shear_coupling"] = shear_coupling.into();
+            fields["bulldozing"] = bulldozing.into();
+        }
+        fields
+    }
+}
