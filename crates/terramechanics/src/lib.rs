@@ -60,5 +60,5 @@ pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Rolling, Stresses, WheelOnSoil};
 pub use sweep::{Gap, SideColumns, SlipSweep};
 pub use towed::Towed;
-pub use track::{CautionTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
+pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};
