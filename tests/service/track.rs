@@ -266,8 +266,8 @@ fn what_is_wrong_with_a_line_is_told_with_its_number() {
     }
     let wrong_at_first = ask("{\"time_s\":1,\"slip\":\"0.1\"}\n").problem(400);
     assert_eq!(wrong_at_first["detail"], "line 1: `slip` must be a number or null, not a string");
-    // `x` is the 22nd character; NaN before it, which is read as null, moves nothing.
-    for (line, column) in [("{\"time_s\":1, \"slip\":x}", 22), ("{\"time_s\":NaN, \"slip\":x}", 24)] {
+    // `x` is the 21st character; NaN before it, which is read as null, moves nothing.
+    for (line, column) in [("{\"time_s\":1, \"slip\":x}", 21), ("{\"time_s\":NaN, \"slip\":x}", 23)] {
         let problem = ask(&format!("{first}{line}\n")).problem(400);
         assert_eq!((&problem["line"], &problem["column"]), (&json!(2), &json!(column)), "{problem}");
         let detail = problem["detail"].as_str().expect("a detail");
