@@ -131,6 +131,16 @@ fn is_json(headers: &HeaderMap) -> bool {
             && essence[essence.len() - 5..].eq_ignore_ascii_case("+json"))
 }
 
+/// Whether a media type declares no charset, or one that UTF-8 covers.
+fn is_utf_8(declared: &str) -> bool {
+    let parameters = declared.split(';').skip(1).filter_map(|parameter| parameter.split_once('='));
+    let mut charsets = parameters.filter(|(name, _)| name.trim().eq_ignore_ascii_case("charset"));
+    charsets.all(|(_, charset)| {
+        let charset = charset.trim().trim_matches('"');
+        ["utf-8", "utf8", "us-ascii"].iter().any(|known| charset.eq_ignore_ascii_case(known))
+    })
+}
+
 /// The format of an answer that has columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Format {
@@ -195,11 +205,14 @@ impl SeriesForm {
     /// The form of a body.
     ///
     /// # Errors
-    /// [`Problem::NotSeriesType`] for any other.
+    /// [`Problem::NotSeriesType`] for any other, and for another charset than UTF-8.
     pub(crate) fn of_body(headers: &HeaderMap) -> Result<Self, Problem> {
         let declared = headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()).unwrap_or("");
         let essence = declared.split(';').next().unwrap_or("").trim();
         let is = |form: &Self| form.media_types().iter().any(|known| essence.eq_ignore_ascii_case(known));
+        if !is_utf_8(declared) {
+            return Err(Problem::NotSeriesType);
+        }
         match Self::ALL.into_iter().find(is) {
             Some(form) => Ok(form),
             None if is_json(headers) => Ok(Self::Json),

@@ -30,7 +30,9 @@ pub mod fuzzing {
     /// What the reader of tables makes of the pieces of one, in words.
     #[must_use]
     pub fn csv_rows(pieces: &[&[u8]]) -> String {
-        format!("{:?}", crate::series::all_of_csv(pieces))
+        use crate::series::{ExtraColumns, Reader, all};
+        let read = |extra| all(Reader::csv(extra), pieces);
+        format!("{:?} {:?}", read(ExtraColumns::Refuse), read(ExtraColumns::Ignore))
     }
 }
 

@@ -117,7 +117,7 @@ impl Problem {
             Self::SlowBody(_) | Self::Idle(_) => ("slow-body", "The body did not arrive in time"),
             Self::TooLarge { .. } => ("too-large", "The body is too large"),
             Self::NotJsonType => ("unsupported-media-type", "The body has to be JSON"),
-            Self::NotSeriesType => ("unsupported-media-type", "The body has to be JSON, CSV or NDJSON"),
+            Self::NotSeriesType => ("unsupported-media-type", "The body has to be JSON, CSV or NDJSON in UTF-8"),
             Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
             Self::Busy => ("busy", "The service is busy"),
             Self::Late(_) => ("late", "The answer was not ready in time"),
@@ -135,7 +135,9 @@ impl Problem {
             Self::SlowBody(limit) => format!("the body has to arrive within {} s", limit.as_secs_f64()),
             Self::TooLarge { limit } => format!("the body may have at most {limit} bytes"),
             Self::NotJsonType => "send the body with Content-Type: application/json".into(),
-            Self::NotSeriesType => "send the body with Content-Type: application/json, text/csv or application/x-ndjson".into(),
+            Self::NotSeriesType => {
+                "send the body in UTF-8, with Content-Type: application/json, text/csv or application/x-ndjson".into()
+            }
             Self::Unreadable(fault) => fault.to_string(),
             Self::Idle(limit) => format!("nothing was sent or taken for {} s", limit.as_secs_f64()),
             Self::Invalid(errors) => match errors.as_slice() {

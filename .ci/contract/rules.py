@@ -27,6 +27,9 @@ BESIDE = {"slip_sinkage": "static_sinkage_m"}
 # What a track may ask for only beside columns that the samples below do not always have; tests of the service have it.
 BESIDE_COLUMNS = ["strength"]
 
+# What takes columns that their schema does not list; tests of the service have it.
+BEYOND_THE_SCHEMA = ["extra_columns"]
+
 # Fields of a wheel that moves at an angle to its plane.
 SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
 
@@ -50,7 +53,7 @@ def before_load_schema(context, raw_schema):
             schema["properties"]["variants"]["maxItems"] = 1
         if name == "TrackRequest":
             groups = [TRACKED_SINKAGE]
-            schema = requiring(schema, [], without=BESIDE_COLUMNS)
+            schema = requiring(schema, [], without=[*BESIDE_COLUMNS, *BEYOND_THE_SCHEMA])
         if groups:
             variants = (chosen(schema, groups, choice) for choice in product(*groups))
             zoned = (variant for choice in variants for variant in by_zones(choice))

@@ -53,7 +53,7 @@ pub(super) struct InvalidSeries;
 
 impl IntoResponses for InvalidSeries {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
-        let unreadable = SeriesFault { line: 3, column: 2, detail: "`abc` is not a number (column `slip`)".into() };
+        let unreadable = SeriesFault { line: 2, column: 2, detail: "`abc` is not a number (column `slip`)".into() };
         problems(vec![
             (Problem::Unreadable(unreadable), "The body cannot be read; line and column of the fault"),
             (Problem::Idle(Duration::from_secs(30)), "The body did not arrive in time"),

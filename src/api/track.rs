@@ -17,18 +17,25 @@ use crate::stream;
 /// A wheel followed over time
 ///
 /// Slip, sinkage, forces, power and energy of each sample, and when the wheel was stuck. A sample that is bad (a value is
-/// missing, the velocities have opposite signs, the slip is out of range, …) does not end the run: its row is null, `status` has
-/// the reason, `warnings` the count.
+/// missing or no number, the velocities have opposite signs, the slip is out of range, …) does not end the run: its row is
+/// null, `status` has the reason, `warnings` the count, and for a value that is no number its line and column. In the first
+/// sample such a value is an error, for then the form is wrong rather than the value. A torque or a load that only the coupled
+/// form or the estimate of the strength needs is missing there alone: `missing_torque` and `missing_load` warn of it.
 ///
 /// The samples are columns of a JSON body, or the body is the series, as a table (`text/csv`) or an object a line
-/// (`application/x-ndjson`); the rest then stands in the query, with dotted names. A table has a header with the names of the
-/// columns, is separated by commas, semicolons or tabs, and may have decimal commas, a byte order mark, carriage returns,
-/// comments after `#` and a row of units below the header. The answer comes in the form of the body unless the header Accept
-/// prefers another. In CSV and NDJSON it comes while the body is still being sent, in constant memory, however long that is.
+/// (`application/x-ndjson`), in UTF-8; the rest then stands in the query, with dotted names. A table has a header with the names
+/// of the columns, is separated by commas, semicolons or tabs, and may have decimal commas, a byte order mark, carriage returns,
+/// comments after `#` and a row of units below the header. In NDJSON the words NaN, Infinity and -Infinity, which Python
+/// writes, are missing values. Columns with other names are refused unless `extra_columns=ignore` leaves them out. The answer
+/// comes in the form of the body unless the header Accept prefers another. In CSV and NDJSON it comes while the body is still
+/// being sent, in constant memory, however long that is.
 ///
-/// The last line of a whole answer is `#end,<rows>` in CSV, after `#warning,…` and `#event,…`, and an object with `end`, `rows`,
-/// `warnings` and `events` in NDJSON; an answer without it was cut. Where the reason is known the last line is `#error,…`, or an
-/// object with `error`. Readers of CSV can be told to leave lines with `#` out.
+/// Behind the rows of a CSV stand comments: `#warning,<code>,<detail>` for each warning, where the detail is the rest of the line
+/// and may have commas and quotes; `#event,<code>,<row>,<from_s>,<to_s>` for each event, with the index of the first of its
+/// samples, from 0, and the times of the first and the last; and `#end,<rows>` as the last line of a whole answer. There is no
+/// header X-Warnings. In NDJSON the last line is an object with `end`, `rows`, `warnings` and `events`. An answer without that
+/// line was cut; where the reason is known the last line is `#error,<detail>`, or an object with `error`. Readers of CSV can be
+/// told to leave lines with `#` out.
 #[utoipa::path(
     post,
     path = "/v1/track",

@@ -110,7 +110,8 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
             warnings.push(Warning::mirrored());
         }
         let drawbar_coefficient = forces.drawbar_coefficient();
-        let tractive_efficiency = forces.tractive_efficiency(wheel, motion.slip, motion.heading);
+        let efficiency = || forces.tractive_efficiency(wheel, motion.slip, motion.heading);
+        let tractive_efficiency = if motion.at_rest { None } else { efficiency() }; // 0/0
         let side = forces.side;
         let mut row = vec![
             motion.slip.ratio(),

@@ -1,12 +1,12 @@
 //! The answer of `/v1/track`.
 
 use serde::Serialize;
-use terramechanics::{CautionTally, Event, Status, Tally, TrackRow, Tracker};
+use terramechanics::{CautionTally, Channel, CulpritTally, Event, Status, Tally, TrackRow, Tracker};
 use utoipa::ToSchema;
 
 use super::{Column, Warning};
 use crate::request::TrackPlan;
-use crate::series::StrengthCells;
+use crate::series::{Column as SeriesColumn, SeriesFault, StrengthCells, Unreadable};
 
 /// A wheel over time.
 #[derive(Debug, Default, Serialize, ToSchema)]
@@ -43,7 +43,7 @@ struct TrackColumns {
     /// F_x/F_z (–).
     #[schema(value_type = Vec<Option<f64>>)]
     drawbar_coefficient: Column,
-    /// F_x v/(T ω) (–), while the wheel drives.
+    /// F_x v/(T ω) (–), while the wheel drives; null at rest.
     #[schema(value_type = Vec<Option<f64>>)]
     tractive_efficiency: Column,
     /// Mechanical power T ω (W); null where only the slip is known.
@@ -52,9 +52,9 @@ struct TrackColumns {
     /// Energy since the first sample (J), by the trapezoidal rule from one good sample to the next.
     #[schema(value_type = Vec<Option<f64>>)]
     energy_j: Column,
-    /// ok; static: at rest, with the numbers of the rolling limit; or why there is no result: missing_value, out_of_range, slip_out_of_range, opposite_rotation, time_backwards, no_solution.
+    /// ok; static: at rest, with the numbers of the rolling limit; or why there is no result: missing_value, unreadable, out_of_range, slip_out_of_range, opposite_rotation, time_backwards, no_solution.
     status: Vec<&'static str>,
-    /// With a measured torque: F_x by Ding's coupled form from that torque and the load (N).
+    /// With a measured torque: F_x by Ding's coupled form from that torque and the load (N); null where one of them is missing, which `status` does not tell but a warning.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     longitudinal_force_coupled_n: Option<Column>,
@@ -174,11 +174,14 @@ pub(crate) struct Findings {
 
 impl Findings {
     /// The findings of a run that has ended.
-    pub(crate) fn of(tracker: &Tracker, plan: &TrackPlan) -> Self {
+    pub(crate) fn of(tracker: &Tracker, plan: &TrackPlan, unreadable: &Unreadable) -> Self {
         let mut warnings = Vec::new();
-        for status in Status::ALL.into_iter().filter(|status| !status.is_good()) {
-            warnings.extend(tracker.tally(status).map(|tally| without_result(status, tally)));
+        warnings.extend(unreadable.first.as_ref().map(|first| unread(tracker, unreadable.count, first)));
+        for status in Status::ALL.into_iter().filter(|status| !status.is_good() && *status != Status::Unreadable) {
+            warnings.extend(tracker.tally(status).map(|tally| without_result(tracker, status, tally)));
         }
+        warnings.extend(tracker.missing_torque().map(|tally| without_coupled("missing_torque", SeriesColumn::Torque, tally)));
+        warnings.extend(tracker.missing_load().map(|tally| without_coupled("missing_load", SeriesColumn::NormalLoad, tally)));
         if plan.lacks_load() {
             warnings.push(Warning::new("not_coupled", "a torque is measured but no load is known: give `normal_load_n`"));
         }
@@ -204,14 +207,61 @@ impl Findings {
     }
 }
 
-fn without_result(status: Status, tally: &Tally) -> Warning {
+/// Cells that are no numbers, and the samples that have no result because of them.
+fn unread(tracker: &Tracker, count: u64, first: &SeriesFault) -> Warning {
+    let values = if count == 1 { "1 value is no number".to_owned() } else { format!("{count} values are no numbers, the first") };
+    let samples = match tracker.tally(Status::Unreadable) {
+        Some(tally) => format!("no result for {}", counted(tally.count, tally.first_row)),
+        None => "no sample is without result for that".to_owned(),
+    };
+    Warning::new(Status::Unreadable.code(), format!("{samples}; {values}: {first}"))
+}
+
+fn without_result(tracker: &Tracker, status: Status, tally: &Tally) -> Warning {
+    let culprits = || tracker.culprits().iter().filter(|culprit| culprit.status == status);
     let why = match status {
-        Status::MissingValue => "a value is missing".to_owned(),
-        Status::OutOfRange => "a value is infinite, or a load or sinkage is not greater than 0".to_owned(),
+        Status::MissingValue => format!("a value is missing: {}", culprits().map(missing).collect::<Vec<_>>().join(", ")),
+        Status::OutOfRange => joined(culprits().map(|culprit| out_of_range(culprit, tracker.wheel().radius()))),
+        Status::SlipOutOfRange => joined(culprits().map(slip_out_of_range)),
         Status::TimeBackwards => "the time is before that of the sample before; no energy is added there".to_owned(),
         _ => reason(tally),
     };
     Warning::new(status.code(), format!("no result for {}: {why}", counted(tally.count, tally.first_row)))
+}
+
+fn without_coupled(code: &'static str, column: SeriesColumn, tally: &Tally) -> Warning {
+    let samples = counted(tally.count, tally.first_row);
+    Warning::new(code, format!("no pull by the coupled form for {samples}: `{}` is missing", column.name()))
+}
+
+fn name(culprit: &CulpritTally) -> &'static str {
+    SeriesColumn::from(culprit.channel).name()
+}
+
+fn missing(culprit: &CulpritTally) -> String {
+    format!("`{}` in {}", name(culprit), culprit.count)
+}
+
+fn out_of_range(culprit: &CulpritTally, radius: f64) -> String {
+    let (name, first) = (name(culprit), culprit.first_value);
+    let demand = match culprit.channel {
+        Channel::Sinkage if culprit.largest > radius => {
+            format!("greater than 0 and at most the radius {radius} m; it is in metres")
+        }
+        Channel::Sinkage => format!("greater than 0 and at most the radius {radius} m"),
+        Channel::NormalLoad => "finite and greater than 0".to_owned(),
+        _ => "finite".to_owned(),
+    };
+    format!("`{name}` has to be {demand}; the first of {} is {first}", culprit.count)
+}
+
+fn slip_out_of_range(culprit: &CulpritTally) -> String {
+    let per_cent = if culprit.largest <= 100.0 { "; per cent have to be divided by 100" } else { "" };
+    format!("the slip has to be from -1 to 1, the first is {}{per_cent}", culprit.first_value)
+}
+
+fn joined(parts: impl Iterator<Item = String>) -> String {
+    parts.collect::<Vec<_>>().join("; ")
 }
 
 fn caution(tally: &CautionTally, good: u64) -> Warning {

@@ -53,22 +53,26 @@ pub(crate) trait Request: Wire + Object {
 
 /// The query of a request body, or all its faults.
 pub(crate) fn checked<R: Request>(body: &Field<R>) -> Result<R::Query, Vec<FieldFault>> {
-    let faults = RefCell::default();
-    let root = Scope::root(&faults);
-    let query = match body {
+    collected(|root| match body {
         Field::Given(request) => {
-            request.report_oddities(&root);
-            request.check(&root)
+            request.report_oddities(root);
+            request.check(root)
         }
         Field::Wrong(found) => {
             root.fault(format_args!("the body must be a JSON object, not {found}"));
             None
         }
         Field::Absent => None,
-    };
+    })
+}
+
+/// What `check` makes of a request, or all the faults that it reports.
+pub(crate) fn collected<T>(check: impl FnOnce(&Scope<'_>) -> Option<T>) -> Result<T, Vec<FieldFault>> {
+    let faults = RefCell::default();
+    let checked = check(&Scope::root(&faults));
     let faults = faults.into_inner();
-    match query {
-        Some(query) if faults.is_empty() => Ok(query),
+    match checked {
+        Some(checked) if faults.is_empty() => Ok(checked),
         _ => Err(faults),
     }
 }

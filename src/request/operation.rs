@@ -348,7 +348,7 @@ impl MotionEntries<'_> {
         match (self.slip.is_present(), velocities) {
             (true, [false, false]) => {
                 let slip = Slip::new(slip?).map_err(|error| place.field(self.slip.name).fault(error)).ok()?;
-                Some(Motion { slip, heading: terramechanics::Heading::Forward })
+                Some(Motion::forward(slip))
             }
             (false, [true, true]) => {
                 let velocities = Velocities { forward: forward?, angular: angular? };

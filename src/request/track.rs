@@ -1,7 +1,5 @@
 //! The request of `/v1/track`.
 
-use std::cell::RefCell;
-
 use terramechanics::{
     Measured, Operation, Sample, SampleMotion, ShearLaw, Sinkage, Thresholds, Tracker, Velocities, WheelOnSoil,
 };
@@ -9,15 +7,21 @@ use terramechanics_identification::RunningStrength;
 
 use super::operation::{self, MethodEntries, OperationEntries};
 use super::series::Samples;
-use super::{ColumnsDto, ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
-use crate::series::{Cells, Column, Layout};
-use crate::wire::{Entry, Field, FieldFault, Lambda, Nested, Number, Object, Scope, wire_object};
+use super::{ColumnsDto, ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto, collected};
+use crate::series::{Cells, Column, ExtraColumns, Layout};
+use crate::wire::{Choice, Entry, Field, FieldFault, Lambda, Nested, Number, Object, Scope, wire_object};
 
 const NORMAL_LOAD: Number = Number::new(
     "Vertical load W (N), unless it is a column; the sinkage is solved so that F_z = W where it is neither measured nor static.",
     1e-9,
     1e12,
 );
+
+const EXTRA_COLUMNS: Choice = Choice {
+    doc: "What becomes of columns that no sample has, such as the voltage of a battery: refuse names them all; ignore leaves them out, though the schema of the columns does not list them.",
+    words: || vec!["refuse", "ignore"],
+    default: Some("refuse"),
+};
 
 wire_object! {
     /// A wheel followed over time. The sinkage of a sample is the measured one if there is a column `sinkage_m`; else it follows from `static_sinkage_m`, or is solved for `normal_load_n`, of which one has to be given.
@@ -37,6 +41,7 @@ wire_object! {
         thresholds: ThresholdsDto = Nested::optional("When the wheel counts as stuck."),
         strength: StrengthDto = Nested::optional("Asks for a running estimate of cohesion and friction from the measured torque and the load; needs the column torque_n_m."),
         columns: ColumnsDto = Nested::required("The samples."),
+        extra_columns: String = EXTRA_COLUMNS,
     }
 }
 
@@ -74,8 +79,8 @@ impl ThresholdsDto {
         self.report_oddities(place);
         let stall_slip = self.stall_slip().or_default(place);
         let stall_time = self.stall_time_s().or_default(place);
-        let share = self.entrapment_sinkage_ratio().or_default(place);
-        Some(Thresholds { stall_slip: stall_slip?, stall_time: stall_time?, entrapment_share: share? })
+        let ratio = self.entrapment_sinkage_ratio().or_default(place);
+        Some(Thresholds { stall_slip: stall_slip?, stall_time: stall_time?, entrapment_sinkage_ratio: ratio? })
     }
 }
 
@@ -89,6 +94,7 @@ pub(crate) struct TrackSettings {
     pub(crate) tracker: Tracker,
     /// The running estimate of the strength, where it is asked for.
     pub(crate) strength: Option<RunningStrength>,
+    pub(crate) extra_columns: ExtraColumns,
 }
 
 /// How the cells of a series become samples.
@@ -106,6 +112,19 @@ pub(crate) struct TrackQuery {
 }
 
 impl TrackDto {
+    /// What becomes of columns that are not known; none where the word for it is wrong, which is reported.
+    fn unknown_columns(&self, place: &Scope<'_>) -> Option<ExtraColumns> {
+        let word = self.extra_columns();
+        if !word.is_present() {
+            return Some(ExtraColumns::Refuse);
+        }
+        word.looked_up(place, |word| match word {
+            "refuse" => Some(ExtraColumns::Refuse),
+            "ignore" => Some(ExtraColumns::Ignore),
+            _ => None,
+        })
+    }
+
     /// All but the samples.
     pub(crate) fn settings(&self, place: &Scope<'_>) -> Option<TrackSettings> {
         const NONE: Field<f64> = Field::Absent;
@@ -135,6 +154,7 @@ impl TrackDto {
         } else {
             Some(Thresholds::default())
         };
+        let extra_columns = self.unknown_columns(place);
         let law = law?;
         let from_static = static_sinkage?.map(|static_sinkage| Sinkage::FromStatic { static_sinkage, law });
         let operation = Operation { sinkage: from_static.unwrap_or(kind), ..checked?.operation };
@@ -145,7 +165,14 @@ impl TrackDto {
         } else {
             None
         };
-        Some(TrackSettings { operation, from_static, normal_load: normal_load?, tracker, strength })
+        Some(TrackSettings {
+            operation,
+            from_static,
+            normal_load: normal_load?,
+            tracker,
+            strength,
+            extra_columns: extra_columns?,
+        })
     }
 }
 
@@ -229,7 +256,7 @@ impl TrackPlan {
         };
         let torque = self.is_coupled().then(|| cell(Column::Torque));
         let measured = torque.zip(load).map(|(torque, normal_load)| Measured { torque, normal_load });
-        Sample { time: cell(Column::Time), motion, sinkage, measured }
+        Sample { time: cell(Column::Time), motion, sinkage, measured, unreadable: false }
     }
 }
 
@@ -239,7 +266,9 @@ impl Request for TrackDto {
     fn check(&self, place: &Scope<'_>) -> Option<TrackQuery> {
         let settings = self.settings(place);
         let columns = self.columns().required(place);
-        let samples = columns.and_then(|columns| columns.check(&place.field("columns")));
+        let ignored = matches!(self.extra_columns().field, Field::Given(word) if word == "ignore");
+        let extra = if ignored { ExtraColumns::Ignore } else { ExtraColumns::Refuse };
+        let samples = columns.and_then(|columns| columns.check(extra, &place.field("columns")));
         if let Some(columns) = columns {
             let (static_sinkage, load) = (self.static_sinkage_m().is_present(), self.normal_load_n().is_present());
             check_columns(columns.layout(), static_sinkage, load, self.strength().is_present(), place);
@@ -250,21 +279,14 @@ impl Request for TrackDto {
 
 /// The settings of a run whose samples come as a stream, or all their faults.
 pub(crate) fn checked_settings(request: &Field<TrackDto>) -> Result<TrackSettings, Vec<FieldFault>> {
-    let faults = RefCell::default();
-    let root = Scope::root(&faults);
-    let settings = match request {
+    collected(|root| match request {
         Field::Given(request) => {
-            request.report_oddities(&root);
+            request.report_oddities(root);
             if request.columns().is_present() {
                 root.field("columns").fault("the body has the samples");
             }
-            request.settings(&root)
+            request.settings(root)
         }
         _ => None,
-    };
-    let faults = faults.into_inner();
-    match settings {
-        Some(settings) if faults.is_empty() => Ok(settings),
-        _ => Err(faults),
-    }
+    })
 }

@@ -2,18 +2,24 @@
 
 mod csv;
 mod ndjson;
+#[cfg(any(test, fuzzing))]
+mod pieces;
 mod run;
 mod writer;
 
 use csv::CsvReader;
-#[cfg(fuzzing)]
-pub(crate) use csv::all as all_of_csv;
 use ndjson::NdjsonReader;
+#[cfg(fuzzing)]
+pub(crate) use pieces::all;
 pub(crate) use run::Run;
 use writer::{Ending, RowFormat, Table};
 pub(crate) use writer::{NUMBERS, StrengthCells, numbers};
 
 use std::fmt;
+
+use terramechanics::Channel;
+
+use crate::wire::{Object, Oddity, Scope};
 
 /// A column that a series may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,8 +45,54 @@ impl Column {
     }
 }
 
+impl From<Channel> for Column {
+    fn from(channel: Channel) -> Self {
+        match channel {
+            Channel::Time => Self::Time,
+            Channel::Slip => Self::Slip,
+            Channel::ForwardVelocity => Self::ForwardVelocity,
+            Channel::AngularVelocity => Self::AngularVelocity,
+            Channel::Sinkage => Self::Sinkage,
+            Channel::Torque => Self::Torque,
+            Channel::NormalLoad => Self::NormalLoad,
+        }
+    }
+}
+
 /// The values of one sample, by column; NaN for one that is missing.
 pub(crate) type Cells = [f64; Column::COUNT];
+
+/// A sample as it was read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Row {
+    pub(crate) cells: Cells,
+    /// Whether one of the missing values was there, but is no number.
+    pub(crate) unreadable: bool,
+}
+
+/// What becomes of columns that no sample has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ExtraColumns {
+    Refuse,
+    Ignore,
+}
+
+/// How they can be left out, for those who sent them.
+const LEAVING_OUT: &str = "extra_columns=ignore leaves unknown ones out";
+
+impl ExtraColumns {
+    /// Reports the names of an object that do not belong, unless they are left out.
+    pub(crate) fn report(self, object: &impl Object, place: &Scope<'_>) {
+        if self == Self::Refuse {
+            return object.report_oddities(place);
+        }
+        for oddity in object.oddities() {
+            if let Oddity::Repeated(name) = oddity {
+                place.field(name).fault("is given more than once");
+            }
+        }
+    }
+}
 
 /// The columns that a series has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -55,6 +107,9 @@ impl Layout {
         self.0[index] = true;
     }
 }
+
+/// Samples that a JSON body may have, and rows of an answer in columns; there is no limit to those of the other forms.
+pub(crate) const MOST_IN_COLUMNS: usize = 100_000;
 
 /// Longest row of a series, and longest header (bytes).
 pub(crate) const LONGEST_ROW: usize = 8192;
@@ -79,11 +134,26 @@ impl fmt::Display for SeriesFault {
     }
 }
 
+/// Values that are no numbers and were taken as missing.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Unreadable {
+    pub(crate) count: u64,
+    pub(crate) first: Option<SeriesFault>,
+}
+
+impl Unreadable {
+    /// Counts a value; `first` says where the first stands, and is none for any other.
+    fn count(&mut self, first: Option<SeriesFault>) {
+        self.count += 1;
+        self.first = self.first.take().or(first);
+    }
+}
+
 /// What a reader makes of its input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Read {
     /// A sample.
-    Row(Cells),
+    Row(Row),
     /// The input is used up.
     More,
     /// The series is at its end.
@@ -98,6 +168,14 @@ pub(crate) enum Reader {
 }
 
 impl Reader {
+    pub(crate) fn csv(extra: ExtraColumns) -> Self {
+        Self::Csv(Box::new(CsvReader::new(extra)))
+    }
+
+    pub(crate) fn ndjson(extra: ExtraColumns) -> Self {
+        Self::Ndjson(NdjsonReader::new(extra))
+    }
+
     /// The next sample; takes what it uses off `input`. With `last` nothing comes after `input`.
     ///
     /// # Errors
@@ -114,6 +192,14 @@ impl Reader {
         match self {
             Self::Csv(reader) => reader.layout(),
             Self::Ndjson(reader) => reader.layout(),
+        }
+    }
+
+    /// The values so far that are no numbers.
+    pub(crate) fn unreadable(&self) -> &Unreadable {
+        match self {
+            Self::Csv(reader) => reader.unreadable(),
+            Self::Ndjson(reader) => reader.unreadable(),
         }
     }
 }

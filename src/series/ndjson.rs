@@ -1,9 +1,12 @@
 //! Telemetry as one JSON object a line: `{"time_s": 0.1, "slip": 0.2}`.
 
-use super::{Cells, Column, LONGEST_ROW, Layout, Read, SeriesFault};
-use crate::wire::{Field, Number, Object, Scope, read, wire_object};
+use super::{Column, ExtraColumns, LONGEST_ROW, Layout, Read, Row, SeriesFault, Unreadable};
+use crate::wire::{Entry, Field, Number, Object, Scope, read, wire_object};
 
 const ANY: Number = Number::new("", f64::NEG_INFINITY, f64::INFINITY);
+
+/// How a sample is written, for those who wrote something else.
+const HOW: &str = "write one object a line, such as {\"time_s\": 0.1, \"slip\": 0.2}, with null for a missing value";
 
 wire_object! {
     /// One sample.
@@ -18,19 +21,54 @@ wire_object! {
     }
 }
 
+impl SampleDto {
+    /// In the order of [`Column::NAMES`].
+    fn entries(&self) -> [Entry<'_, f64>; Column::COUNT] {
+        [
+            self.time_s(),
+            self.slip(),
+            self.forward_velocity_m_s(),
+            self.angular_velocity_rad_s(),
+            self.sinkage_m(),
+            self.torque_n_m(),
+            self.normal_load_n(),
+        ]
+    }
+
+    /// All names that do not belong, in words.
+    fn oddities_in_words(&self, extra: ExtraColumns) -> Option<String> {
+        let faults = std::cell::RefCell::default();
+        extra.report(self, &Scope::root(&faults));
+        let faults = faults.into_inner().into_iter();
+        let described: Vec<_> =
+            faults.map(|fault| format!("`{}`: {}", fault.pointer.trim_start_matches('/'), fault.detail)).collect();
+        (!described.is_empty()).then(|| described.join("; "))
+    }
+}
+
 /// Reads lines piece by piece. The columns of the series are those of its first sample.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct NdjsonReader {
+    extra: ExtraColumns,
     /// The beginning of a line whose end has not come yet.
     held: Vec<u8>,
     /// Lines that are behind.
     lines: u64,
     layout: Option<Layout>,
+    unreadable: Unreadable,
 }
 
 impl NdjsonReader {
+    pub(super) fn new(extra: ExtraColumns) -> Self {
+        Self { extra, held: Vec::new(), lines: 0, layout: None, unreadable: Unreadable::default() }
+    }
+
     pub(super) fn layout(&self) -> Option<Layout> {
         self.layout
+    }
+
+    pub(super) fn unreadable(&self) -> &Unreadable {
+        &self.unreadable
     }
 
     pub(super) fn next(&mut self, input: &mut &[u8], last: bool) -> Result<Read, SeriesFault> {
@@ -46,10 +84,10 @@ impl NdjsonReader {
                 return Ok(Read::More);
             }
             let held = std::mem::take(&mut self.held);
-            let cells = if held.is_empty() { self.row(line) } else { self.row(&[&held, line].concat()) }?;
+            let row = if held.is_empty() { self.row(line) } else { self.row(&[&held, line].concat()) }?;
             self.lines += u64::from(end.is_some());
-            match cells {
-                Some(cells) => return Ok(Read::Row(cells)),
+            match row {
+                Some(row) => return Ok(Read::Row(row)),
                 None if end.is_none() && self.layout.is_none() => return Err(self.fault(0, "the series has no samples")),
                 None if end.is_none() => return Ok(Read::End),
                 None => {}
@@ -58,36 +96,36 @@ impl NdjsonReader {
     }
 
     /// The sample of a line; none where it is blank.
-    fn row(&mut self, line: &[u8]) -> Result<Option<Cells>, SeriesFault> {
+    fn row(&mut self, line: &[u8]) -> Result<Option<Row>, SeriesFault> {
         let line = if self.lines == 0 { line.strip_prefix("\u{feff}".as_bytes()).unwrap_or(line) } else { line };
         if line.trim_ascii().is_empty() {
             return Ok(None);
         }
-        let field = read::<SampleDto>(line).map_err(|error| self.fault(error.column(), error.to_string()))?;
-        let sample = match &field {
-            Field::Given(sample) if sample.oddities().is_empty() => sample,
-            Field::Given(sample) => return Err(self.fault(0, oddity(sample))),
-            Field::Wrong(found) => return Err(self.fault(0, format!("must be an object, not {found}"))),
+        let sample = match self.parsed(line)? {
+            Field::Given(sample) => sample,
+            Field::Wrong(found) => return Err(self.fault(0, format!("must be an object, not {found}; {HOW}"))),
             Field::Absent => return Ok(None),
         };
-        let entries = [
-            sample.time_s(),
-            sample.slip(),
-            sample.forward_velocity_m_s(),
-            sample.angular_velocity_rad_s(),
-            sample.sinkage_m(),
-            sample.torque_n_m(),
-            sample.normal_load_n(),
-        ];
-        let mut cells = [f64::NAN; Column::COUNT];
+        if !sample.oddities().is_empty()
+            && let Some(oddities) = sample.oddities_in_words(self.extra)
+        {
+            return Err(self.fault(0, oddities));
+        }
+        let mut row = Row { cells: [f64::NAN; Column::COUNT], unreadable: false };
         let mut given = Layout::default();
-        for (index, entry) in entries.iter().enumerate() {
+        for (index, entry) in sample.entries().iter().enumerate() {
             match entry.field {
                 Field::Absent => continue,
-                Field::Given(value) => cells[index] = *value,
+                Field::Given(value) => row.cells[index] = *value,
                 Field::Wrong("null") => {}
                 Field::Wrong(found) => {
-                    return Err(self.fault(0, format!("`{}` must be a number or null, not {found}", entry.name)));
+                    let fault = || self.fault(0, format!("`{}` must be a number or null, not {found}", entry.name));
+                    if self.layout.is_none() {
+                        return Err(fault()); // the form is wrong rather than the value, and nothing is lost yet
+                    }
+                    let first = self.unreadable.first.is_none().then(fault);
+                    self.unreadable.count(first);
+                    row.unreadable = true;
                 }
             }
             given.add(index);
@@ -96,7 +134,22 @@ impl NdjsonReader {
             }
         }
         self.layout.get_or_insert(given);
-        Ok(Some(cells))
+        Ok(Some(row))
+    }
+
+    fn parsed(&self, line: &[u8]) -> Result<Field<SampleDto>, SeriesFault> {
+        if let Ok(sample) = read(line) {
+            return Ok(sample);
+        }
+        let (text, longer_at) = without_words(line);
+        let error = match read(&text) {
+            Ok(sample) => return Ok(sample),
+            Err(error) => error,
+        };
+        let column = error.column() - longer_at.iter().filter(|at| **at < error.column()).count();
+        let said = error.to_string();
+        let said = said.split(" at line ").next().unwrap_or_default();
+        Err(self.fault(column, format!("the line is not JSON, {said}; {HOW}")))
     }
 
     fn fault(&self, column: usize, detail: impl Into<String>) -> SeriesFault {
@@ -104,36 +157,56 @@ impl NdjsonReader {
     }
 }
 
-/// The first name that does not belong, in words.
-fn oddity(sample: &SampleDto) -> String {
-    let faults = std::cell::RefCell::default();
-    sample.report_oddities(&Scope::root(&faults));
-    faults
-        .into_inner()
-        .first()
-        .map_or_else(String::new, |fault| format!("{} {}", fault.pointer.trim_start_matches('/'), fault.detail))
+/// The line with null for each of the words that Python and JavaScript write for a number that is none, and where that made it a
+/// byte longer.
+fn without_words(line: &[u8]) -> (Vec<u8>, Vec<usize>) {
+    const WORDS: [(&[u8], &[u8]); 3] = [(b"NaN", b"null"), (b"-Infinity", b"null     "), (b"Infinity", b"null    ")];
+    let (mut text, mut longer_at) = (Vec::with_capacity(line.len()), Vec::new());
+    let mut left = line;
+    let mut quoted = false;
+    while let Some((&byte, rest)) = left.split_first() {
+        match WORDS.iter().find(|(word, _)| !quoted && left.starts_with(word)) {
+            Some((word, null)) => {
+                text.extend_from_slice(null);
+                if null.len() > word.len() {
+                    longer_at.push(text.len() - 1);
+                }
+                left = &left[word.len()..];
+            }
+            None => {
+                let escape = quoted && byte == b'\\' && !rest.is_empty();
+                quoted ^= byte == b'"';
+                let (taken, rest) = left.split_at(if escape { 2 } else { 1 });
+                text.extend_from_slice(taken);
+                left = rest;
+            }
+        }
+    }
+    (text, longer_at)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Reader;
+    use super::super::pieces::{self, Whole};
     use super::*;
 
-    fn all(pieces: &[&[u8]]) -> (Vec<[u64; Column::COUNT]>, Option<SeriesFault>) {
-        let mut reader = NdjsonReader::default();
-        let mut rows = Vec::new();
-        for (i, piece) in pieces.iter().enumerate() {
-            let mut left = *piece;
-            loop {
-                match reader.next(&mut left, i + 1 == pieces.len()) {
-                    Ok(Read::Row(cells)) => rows.push(cells.map(f64::to_bits)),
-                    Ok(Read::More) => break,
-                    Ok(Read::End) => return (rows, None),
-                    Err(fault) => return (rows, Some(fault)),
-                }
-            }
-            assert!(left.is_empty(), "what is there is used");
+    fn all(pieces: &[&[u8]]) -> Whole {
+        pieces::all(Reader::ndjson(ExtraColumns::Refuse), pieces)
+    }
+
+    #[test]
+    fn the_values_of_a_sample_are_in_the_order_of_the_columns() {
+        assert_eq!(SampleDto::default().entries().map(|entry| entry.name), Column::NAMES);
+    }
+
+    #[test]
+    fn words_that_are_no_numbers_are_null_outside_of_strings() {
+        let text = |line: &[u8]| String::from_utf8(without_words(line).0).expect("text");
+        assert_eq!(text(b"[NaN,-Infinity,Infinity]"), "[null,null     ,null    ]");
+        for line in ["{\"NaN\":\"a\\\"NaN\"}", "\"\\\\\"", "\"\\", "\"", ""] {
+            assert_eq!(text(line.as_bytes()), line);
         }
-        panic!("the last piece ends the series");
     }
 
     #[test]
@@ -143,6 +216,7 @@ mod tests {
             "{\"time_s\":0}\n{\"time_s\":1}\n",
             "{\"time_s\":0}\n{\"time_s\":1,}\n{\"time_s\":2}",
             "\n \n",
+            "{\"time_s\":0,\"slip\":NaN}\n{\"time_s\":1,\"slip\":\"x\"}\n{\"time_s\":NaN,\"slip\":-Infinity,}",
         ] {
             let text = text.as_bytes();
             let whole = all(&[text]);
@@ -155,7 +229,7 @@ mod tests {
 
     #[test]
     fn a_line_without_end_is_refused_in_bounded_memory() {
-        let mut reader = NdjsonReader::default();
+        let mut reader = NdjsonReader::new(ExtraColumns::Refuse);
         let fault = (0..100).find_map(|_| reader.next(&mut &[b' '; 1000][..], false).err());
         assert_eq!(fault.map(|fault| fault.line), Some(1));
     }

@@ -1,22 +1,17 @@
 //! A run over a series: samples in, rows out, in slices that are short enough to share the machine.
 
-use std::cell::RefCell;
-
 use axum::body::Bytes;
 use terramechanics::{Measured, Operation, Sample, SampleMotion, Slip, TrackRow, Tracker};
 use terramechanics_identification::{RollingSample, RunningStrength};
 
-use super::{Column, Ending, NdjsonReader, Read, Reader, RowFormat, StrengthCells, Table};
+use super::{Column, Ending, MOST_IN_COLUMNS, Read, Reader, Row, RowFormat, StrengthCells, Table, Unreadable};
 use crate::compute::Cost;
 use crate::extract::SeriesForm;
 use crate::problem::Problem;
 use crate::reply::{Findings, TrackReply};
-use crate::request::{Samples, TrackPlan, TrackQuery, TrackSettings};
+use crate::request::{Samples, TrackPlan, TrackQuery, TrackSettings, collected};
 use crate::stream::{PIECE, Progress, Work};
-use crate::wire::{FieldFault, Scope};
-
-/// Rows that an answer in columns may have; there is no limit to those of the other forms.
-const MOST_IN_COLUMNS: u64 = 100_000;
+use crate::wire::FieldFault;
 
 /// A run.
 #[derive(Debug)]
@@ -53,7 +48,8 @@ enum Sink {
 impl Run {
     /// Over a body in the form `body`, which is one of the streamed ones.
     pub(crate) fn over_stream(settings: TrackSettings, body: SeriesForm, form: SeriesForm) -> Self {
-        let reader = if body == SeriesForm::Csv { Reader::Csv(Box::default()) } else { Reader::Ndjson(NdjsonReader::default()) };
+        let extra = settings.extra_columns;
+        let reader = if body == SeriesForm::Csv { Reader::csv(extra) } else { Reader::ndjson(extra) };
         Self { source: Source::Reader(reader), settings, form, started: None }
     }
 
@@ -63,8 +59,8 @@ impl Run {
         Self { source: Source::Memory { samples, next: 0 }, settings, form, started: None }
     }
 
-    /// Starts once the columns are known, with what stands before the first row.
-    fn start(&mut self, output: &mut Vec<u8>) -> Result<(), Problem> {
+    /// Starts once the columns are known.
+    fn start(&mut self) -> Result<(), Problem> {
         if self.started.is_some() {
             return Ok(());
         }
@@ -73,10 +69,7 @@ impl Run {
             Source::Memory { samples, .. } => (Some(samples.layout), samples.count),
         };
         let Some(layout) = layout else { return Ok(()) };
-        let faults = RefCell::default();
-        let Some(plan) = self.settings.plan(layout, &Scope::root(&faults)) else {
-            return Err(Problem::Invalid(faults.into_inner()));
-        };
+        let plan = collected(|place| self.settings.plan(layout, place)).map_err(Problem::Invalid)?;
         let coupled = plan.is_coupled();
         let strength = self.settings.strength;
         let table = |format| Sink::Rows(Table { format, coupled, strength: strength.is_some() });
@@ -85,9 +78,6 @@ impl Run {
             SeriesForm::Csv => table(RowFormat::Csv),
             SeriesForm::Ndjson => table(RowFormat::Ndjson),
         };
-        if let Sink::Rows(table) = &sink {
-            table.head(output);
-        }
         let typical = Operation { sinkage: plan.sample(&[1.0; Column::COUNT]).sinkage, ..self.settings.operation };
         let rows = Cost::points_in_a_slice(&typical);
         self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), strength, sink, rows });
@@ -99,7 +89,7 @@ impl Run {
             Source::Reader(reader) => reader.next(input, last).map_err(Problem::Unreadable),
             Source::Memory { samples, next } => {
                 *next += 1;
-                Ok(if *next <= samples.count { Read::Row(samples.cells(*next - 1)) } else { Read::End })
+                Ok(if *next <= samples.count { Read::Row(samples.row(*next - 1)) } else { Read::End })
             }
         }
     }
@@ -111,12 +101,18 @@ impl Run {
                 return Ok(Progress::Paused);
             }
             let read = self.read(input, last)?;
-            self.start(output)?;
+            self.start()?;
             let Some(started) = &mut self.started else { return Ok(Progress::NeedsInput) };
             match read {
-                Read::Row(cells) => started.row(&cells, output)?,
+                Read::Row(row) => started.row(&row, output)?,
                 Read::More => return Ok(Progress::NeedsInput),
-                Read::End => return started.end(output).map(|()| Progress::Complete),
+                Read::End => {
+                    let unreadable = match &self.source {
+                        Source::Reader(reader) => reader.unreadable(),
+                        Source::Memory { .. } => &Unreadable::default(),
+                    };
+                    return started.end(unreadable, output).map(|()| Progress::Complete);
+                }
             }
             rows += 1;
         }
@@ -147,13 +143,20 @@ fn running_strength(running: &mut RunningStrength, sample: &Sample, row: &TrackR
 }
 
 impl Started {
-    fn row(&mut self, cells: &super::Cells, output: &mut Vec<u8>) -> Result<(), Problem> {
-        let sample = self.plan.sample(cells);
+    fn row(&mut self, row: &Row, output: &mut Vec<u8>) -> Result<(), Problem> {
+        let sample = Sample { unreadable: row.unreadable, ..self.plan.sample(&row.cells) };
+        let is_first = self.tracker.rows() == 0;
         let row = self.tracker.push(&sample);
         let strength = self.strength.as_mut().map(|running| running_strength(running, &sample, &row));
         match &mut self.sink {
-            Sink::Rows(table) => table.row(&row, strength.as_ref(), output),
-            Sink::Columns(_) if self.tracker.rows() > MOST_IN_COLUMNS => {
+            Sink::Rows(table) => {
+                // Not before, so that a series without samples, or with a first one that is wrong, can be refused.
+                if is_first {
+                    table.head(output);
+                }
+                table.row(&row, strength.as_ref(), output);
+            }
+            Sink::Columns(_) if self.tracker.rows() > MOST_IN_COLUMNS as u64 => {
                 let detail =
                     format!("an answer in columns has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson");
                 return Err(Problem::Invalid(vec![FieldFault { pointer: String::new(), detail }]));
@@ -163,9 +166,9 @@ impl Started {
         Ok(())
     }
 
-    fn end(&mut self, output: &mut Vec<u8>) -> Result<(), Problem> {
+    fn end(&mut self, unreadable: &Unreadable, output: &mut Vec<u8>) -> Result<(), Problem> {
         self.tracker.finish();
-        let findings = Findings::of(&self.tracker, &self.plan);
+        let findings = Findings::of(&self.tracker, &self.plan, unreadable);
         match &mut self.sink {
             Sink::Rows(table) => {
                 let Findings { rows, events, warnings } = &findings;

@@ -22,6 +22,7 @@ mod slip_sweep;
 mod stress_profile;
 mod towed;
 mod track;
+mod track_cells;
 mod track_stream;
 mod validation;
 mod validation_laws;

@@ -131,7 +131,10 @@ fn a_bad_sample_is_null_with_its_reason_and_counted() {
     let warnings = reply["warnings"].as_array().expect("warnings");
     let codes: Vec<&str> = warnings.iter().map(|warning| warning["code"].as_str().expect("a code")).collect();
     assert_eq!(codes[..3], ["missing_value", "opposite_rotation", "time_backwards"]);
-    assert_eq!(warnings[0]["detail"], "no result for 2 samples, the first at index 1: a value is missing");
+    assert_eq!(
+        warnings[0]["detail"],
+        "no result for 2 samples, the first at index 1: a value is missing: `forward_velocity_m_s` in 1, `time_s` in 1"
+    );
 
     let slips = post("/v1/track", &columns(json!({"time_s": [0, 1, 2, 3], "slip": [0.5, 1.5, -2, 1]}))).ok();
     assert_eq!(slips["columns"]["status"], json!(["ok", "slip_out_of_range", "slip_out_of_range", "ok"]));
@@ -214,19 +217,23 @@ fn tables_of_every_country_are_read() {
 #[test]
 fn what_is_wrong_with_a_table_is_told_with_line_and_column() {
     for (text, line, column, part) in [
-        ("time_s,slip\n0,0.1\n1,abc\n", 3, 2, "`abc` is not a number (column `slip`)"),
-        ("\u{feff}time_s;slip\r\ns;-\r\n0;0,1\r\n\r\n1,2,3;0,1\r\n", 5, 1, "`1,2,3`"),
+        ("time_s,slip\n0,abc\n1,0.1\n", 2, 2, "`abc` is not a number (column `slip`)"),
+        ("\u{feff}time_s;slip\r\ns;-\r\n\r\n1,2,3;0,1\r\n", 4, 1, "`1,2,3`"),
         ("time_s,slip\n0,0.1\n1\n", 3, 2, "the number of cells is 1, the header has 2"),
         ("time_s,slip\n0,0.1,7\n", 2, 3, "the number of cells is 3"),
         ("time_s,slipp\n0,0.1\n", 1, 2, "did you mean `slip`?"),
         ("# a\n\ntime_s,slip,slip\n", 3, 3, "more than once"),
         ("time_s,slip\nms,-\n0,0.1\n", 2, 1, "not the unit of `time_s`, s"),
         ("time_s,slip\ns,%\n0,0.1\n", 2, 2, "not the unit of `slip`"),
-        ("time_s,slip\n0,0.1\nlater,0.1\n", 3, 1, "`later` is not a number"),
-        ("time_s,slip\n0,0.1\n1,\"0.1\n2,0.1\n", 4, 2, "is not a number"),
+        ("time_s,slip\ns,-\nlater,0.1\n", 3, 1, "`later` is not a number"),
+        ("time_s,slip\n0,0.1\n1,\"0.1\n2,0.1\n", 3, 2, "quote before this cell is not closed"),
+        ("time_s,slip\n0,0.1\n1,\"0.1", 3, 2, "quote before this cell is not closed"),
+        ("time_s,slip\n", 1, 0, "no samples"),
+        ("time_s;slip\ns;-\n# nothing\n", 2, 0, "no samples"),
     ] {
         let problem = csv(text).problem(400);
-        assert_eq!((&problem["line"], &problem["column"]), (&json!(line), &json!(column)), "{text:?} {problem}");
+        let place = (problem["line"].as_u64(), problem["column"].as_u64().unwrap_or(0));
+        assert_eq!(place, (Some(line), column), "{text:?} {problem}");
         assert!(problem["detail"].as_str().is_some_and(|detail| detail.contains(part)), "{problem}");
         assert_eq!(problem["type"], "urn:terramechanics:problem:unreadable-series");
     }
@@ -248,7 +255,6 @@ fn what_is_wrong_with_a_line_is_told_with_its_number() {
     let first = "{\"time_s\":0,\"slip\":0.1}\n";
     for (second, part) in [
         ("{\"time_s\":1,\"slip\"}", "expected `:`"),
-        ("{\"time_s\":1,\"slip\":\"0.1\"}", "`slip` must be a number or null, not a string"),
         ("{\"time_s\":1,\"slipp\":0.1}", "did you mean `slip`?"),
         ("{\"time_s\":1,\"time_s\":1}", "more than once"),
         ("[1,0.1]", "must be an object, not an array"),
@@ -257,6 +263,16 @@ fn what_is_wrong_with_a_line_is_told_with_its_number() {
         let problem = ask(&format!("{first}\n{second}\n")).problem(400);
         assert_eq!(problem["line"], 3, "{problem}");
         assert!(problem["detail"].as_str().is_some_and(|detail| detail.contains(part)), "{problem}");
+    }
+    let wrong_at_first = ask("{\"time_s\":1,\"slip\":\"0.1\"}\n").problem(400);
+    assert_eq!(wrong_at_first["detail"], "line 1: `slip` must be a number or null, not a string");
+    // `x` is the 21st character; NaN before it, which is read as null, moves nothing.
+    for (line, column) in [("{\"time_s\":1, \"slip\":x}", 21), ("{\"time_s\":NaN, \"slip\":x}", 23)] {
+        let problem = ask(&format!("{first}{line}\n")).problem(400);
+        assert_eq!((&problem["line"], &problem["column"]), (&json!(2), &json!(column)), "{problem}");
+        let detail = problem["detail"].as_str().expect("a detail");
+        assert_eq!(detail.matches("line 1").count() + detail.matches(" at line").count(), 0, "{detail}");
+        assert!(detail.contains("not JSON, expected value; write one object a line"), "{detail}");
     }
     assert!(ask("").problem(400)["detail"].as_str().is_some_and(|detail| detail.contains("no samples")));
     let lacking = ask(&format!("{first}{{\"time_s\":1}}\n"));
@@ -298,8 +314,13 @@ fn faults_of_the_settings_are_those_of_a_body() {
     let uneven = columns(json!({"time_s": [0, 1], "slip": [0]}));
     assert_eq!(post("/v1/track", &uneven).pointers(), ["/columns/slip"]);
     assert_eq!(post("/v1/track", &settings()).pointers(), ["/columns"]);
-    for media_type in ["text/plain", "application/xml", ""] {
+    for media_type in
+        ["text/plain", "application/xml", "", "text/csv; charset=utf-16", "text/csv;header=present; Charset=\"latin1\""]
+    {
         stream_to(&settings(), media_type, "*/*", TABLE).problem(415);
+    }
+    for media_type in ["text/csv; charset=UTF-8", "text/csv; charset=\"us-ascii\"", "text/csv; header=present"] {
+        ok(&stream_to(&settings(), media_type, "*/*", TABLE));
     }
 }
 

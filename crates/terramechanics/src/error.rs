@@ -41,7 +41,7 @@ pub enum Parameter {
     LambdaB,
     StallSlip,
     StallTime,
-    EntrapmentShare,
+    EntrapmentSinkageRatio,
 }
 
 /// What a value has to satisfy.

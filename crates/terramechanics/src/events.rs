@@ -1,6 +1,6 @@
 //! Is the wheel stuck? Stall and entrapment as indicators over time.
 //!
-//! A wheel stalls where its slip stays at or above a threshold for a time; it is entrapped where it has sunk beyond a share of
+//! A wheel stalls where its slip stays at or above a threshold for a time; it is entrapped where it has sunk beyond a ratio to
 //! its radius. Both are rules of operation, not physics: no threshold holds for every rover, so all three are the caller's.
 
 use crate::error::{InvalidInput, Parameter, Requirement};
@@ -12,14 +12,14 @@ pub struct Thresholds {
     pub stall_slip: f64,
     /// Time (s) for which the slip has to stay there, not negative.
     pub stall_time: f64,
-    /// Share of the radius (–) beyond which the sinkage is an entrapment, from 0 to 1.
-    pub entrapment_share: f64,
+    /// Ratio of sinkage to radius (–) beyond which the wheel is entrapped, from 0 to 1.
+    pub entrapment_sinkage_ratio: f64,
 }
 
 impl Default for Thresholds {
     /// 80 % slip for two seconds; a sinkage of half the radius. Chosen for want of a published rule.
     fn default() -> Self {
-        Self { stall_slip: 0.8, stall_time: 2.0, entrapment_share: 0.5 }
+        Self { stall_slip: 0.8, stall_time: 2.0, entrapment_sinkage_ratio: 0.5 }
     }
 }
 
@@ -30,7 +30,7 @@ impl Thresholds {
         InvalidInput::check(&[
             (Parameter::StallSlip, self.stall_slip, Requirement::Within { min: f64::MIN_POSITIVE, max: 1.0 }),
             (Parameter::StallTime, self.stall_time, Requirement::NotNegative),
-            (Parameter::EntrapmentShare, self.entrapment_share, Requirement::Within { min: 0.0, max: 1.0 }),
+            (Parameter::EntrapmentSinkageRatio, self.entrapment_sinkage_ratio, Requirement::Within { min: 0.0, max: 1.0 }),
         ])
     }
 }

@@ -63,5 +63,5 @@ pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Stresses};
 pub use sweep::{Gap, SideColumns, SlipSweep};
 pub use towed::Towed;
-pub use track::{CautionTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
+pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};

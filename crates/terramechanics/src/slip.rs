@@ -81,9 +81,17 @@ pub struct Motion {
     pub slip: Slip,
     /// The direction.
     pub heading: Heading,
+    /// Whether the wheel is known to be at rest, v = ω = 0, where a ratio of powers is undefined.
+    pub at_rest: bool,
 }
 
 impl Motion {
+    /// A wheel that moves forward with a slip; its velocities are not known.
+    #[must_use]
+    pub fn forward(slip: Slip) -> Self {
+        Self { slip, heading: Heading::Forward, at_rest: false }
+    }
+
     /// Slip and heading of `wheel` at `velocities`. Eq. (2), with r the rim radius.
     ///
     /// At rest (v = ω = 0) the slip is 0.
@@ -118,7 +126,7 @@ impl Motion {
         } else {
             (rim - axle) / axle // Eq. (2), braking
         };
-        Ok(Self { slip: Slip::new(slip)?, heading })
+        Ok(Self { slip: Slip::new(slip)?, heading, at_rest: axle == 0.0 && angular == 0.0 })
     }
 }
 

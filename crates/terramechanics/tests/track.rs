@@ -4,8 +4,8 @@ mod common;
 
 use common::letter;
 use terramechanics::{
-    Error, EventKind, ForceModel, LinearSlipSinkage, Measured, Method, Motion, Operation, Parameter, Sample, SampleMotion,
-    Sinkage, SlipSinkage, Status, Thresholds, TrackRow, Tracker, Velocities,
+    Channel, Error, EventKind, ForceModel, LinearSlipSinkage, Measured, Method, Motion, Operation, Parameter, Sample,
+    SampleMotion, Sinkage, SlipSinkage, Status, Thresholds, TrackRow, Tracker, Velocities,
 };
 
 /// Rounding of a sum of a few hundred products.
@@ -23,11 +23,11 @@ fn tracker(method: Method) -> Tracker {
 
 fn moving(time: f64, forward: f64, angular: f64) -> Sample {
     let motion = SampleMotion::Velocities(Velocities { forward, angular });
-    Sample { time, motion, sinkage: STATIC, measured: None }
+    Sample { time, motion, sinkage: STATIC, measured: None, unreadable: false }
 }
 
 fn slipping(time: f64, slip: f64) -> Sample {
-    Sample { time, motion: SampleMotion::Slip(slip), sinkage: STATIC, measured: None }
+    Sample { time, motion: SampleMotion::Slip(slip), sinkage: STATIC, measured: None, unreadable: false }
 }
 
 fn bits(row: &TrackRow) -> Vec<u64> {
@@ -129,6 +129,10 @@ fn a_wheel_at_rest_is_static_and_takes_no_power() {
         assert_eq!((row.status, row.slip, row.sinkage, row.power), (Status::Static, 0.0, 0.02, 0.0));
     }
     assert_eq!(tracker.push(&slipping(1.0, 0.0)).status, Status::Ok, "rolling without slip is no rest");
+    let efficiency = |tracker: &mut Tracker, forward, angular| tracker.push(&moving(2.0, forward, angular)).tractive_efficiency;
+    assert!(efficiency(&mut tracker, 0.0, 0.0).is_nan(), "F_x v/(T ω) is 0/0");
+    assert!(efficiency(&mut tracker, 0.0, 1.0) == 0.0, "v alone is 0 on a wheel that spins");
+    assert!(efficiency(&mut tracker, 0.1, 0.0).is_nan(), "ω alone is 0 on a locked wheel");
 }
 
 #[test]
@@ -230,8 +234,54 @@ fn events_beyond_the_number_kept_are_counted() {
 
 #[test]
 fn thresholds_out_of_range_are_all_named() {
-    let wrong = Thresholds { stall_slip: 0.0, stall_time: -1.0, entrapment_share: f64::NAN };
+    let wrong = Thresholds { stall_slip: 0.0, stall_time: -1.0, entrapment_sinkage_ratio: f64::NAN };
     let invalid = Tracker::new(operation(Method::EXPLICIT), wrong).expect_err("three faults");
     let named: Vec<Parameter> = invalid.faults.iter().map(|fault| fault.parameter).collect();
-    assert_eq!(named, [Parameter::StallSlip, Parameter::StallTime, Parameter::EntrapmentShare]);
+    assert_eq!(named, [Parameter::StallSlip, Parameter::StallTime, Parameter::EntrapmentSinkageRatio]);
+}
+
+#[test]
+fn a_torque_or_load_that_only_the_coupled_form_needs_is_missing_there_alone() {
+    let plain = tracker(Method::EXPLICIT).push(&slipping(0.0, 0.2));
+    let mut tracker = tracker(Method::EXPLICIT);
+    let none = f64::NAN;
+    for (i, (torque, normal_load)) in [(2.0, 80.0), (none, 80.0), (2.0, none), (none, none), (2.0, -1.0)].into_iter().enumerate()
+    {
+        let measured = Some(Measured { torque, normal_load });
+        let row = tracker.push(&Sample { measured, ..slipping(i as f64, 0.2) });
+        assert_eq!((row.status, bits(&row)), (Status::Ok, bits(&plain)));
+        assert_eq!(row.longitudinal_coupled.is_finite(), i == 0);
+    }
+    let first = |tally: Option<&terramechanics::Tally>| tally.map(|tally| (tally.count, tally.first_row));
+    assert_eq!(first(tracker.missing_torque()), Some((2, 1)));
+    assert_eq!(first(tracker.missing_load()), Some((2, 2)));
+    assert_eq!(first(tracker.not_coupled()), Some((1, 4)));
+    // The load that the sinkage is solved for is no such value.
+    let row = tracker.push(&Sample { sinkage: Sinkage::CarryingLoad(none), ..slipping(5.0, 0.2) });
+    assert_eq!(row.status, Status::MissingValue);
+}
+
+#[test]
+fn the_value_to_blame_is_counted_by_status_and_channel() {
+    let mut tracker = tracker(Method::EXPLICIT);
+    let deep = |time: f64, sinkage: f64| Sample { sinkage: Sinkage::Given(sinkage), ..slipping(time, 0.2) };
+    let samples = [deep(0.0, 20.0), deep(1.0, 0.25), deep(2.0, 0.2), deep(3.0, -0.1), deep(4.0, f64::NAN)];
+    let statuses = samples.map(|sample| tracker.push(&sample).status);
+    // The radius is 0.2 m: what was measured beyond it is no entrapment but a wrong value.
+    let beyond = Status::OutOfRange;
+    assert_eq!(statuses, [beyond, beyond, Status::Ok, beyond, Status::MissingValue]);
+    tracker.push(&slipping(5.0, 10.0));
+    tracker.push(&slipping(6.0, -30.0));
+    let unread = Sample { unreadable: true, ..slipping(7.0, f64::NAN) };
+    assert_eq!(tracker.push(&unread).status, Status::Unreadable);
+    assert_eq!(tracker.push(&Sample { unreadable: true, ..slipping(8.0, 0.1) }).status, Status::Ok, "its value is not needed");
+    tracker.finish();
+    let entrapped = tracker.events().0.iter().filter(|event| event.kind == EventKind::Entrapment);
+    assert_eq!(entrapped.map(|event| (event.from, event.to)).collect::<Vec<_>>(), [(2.0, 2.0)]);
+    let told: Vec<_> =
+        tracker.culprits().iter().map(|of| (of.status, of.channel, of.count, of.first_value, of.largest)).collect();
+    assert_eq!(told[0], (Status::OutOfRange, Channel::Sinkage, 3, 20.0, 20.0));
+    assert_eq!((told[1].0, told[1].1, told[1].2), (Status::MissingValue, Channel::Sinkage, 1));
+    assert_eq!(told[2], (Status::SlipOutOfRange, Channel::Slip, 2, 10.0, 30.0));
+    assert_eq!((told[3].0, told[3].1, told.len()), (Status::Unreadable, Channel::Slip, 4));
 }

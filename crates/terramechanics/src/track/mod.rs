@@ -8,20 +8,26 @@
 //!   backwards, no energy is added and the count goes on from the new time.
 //! * At rest, v = ω = 0, the slip is 0 by convention (letter, Eq. 2) and the row is that of the rolling limit s → 0; its power
 //!   is 0 because ω is.
-//! * A wheel that the soil does not carry at any sinkage up to its axle has no forces, but it counts as entrapped.
+//! * A wheel that the soil does not carry at any sinkage up to its axle has no forces, but it counts as entrapped. A sinkage
+//!   beyond the axle that was measured has no forces either, but it is more likely a wrong unit, and no event.
+//! * A torque or a load that only the coupled form needs is no condition of the rest: where it is missing, the pull by that form
+//!   alone is.
 
+mod findings;
+mod refusal;
 mod sample;
 mod tally;
 
-pub use sample::{Measured, Sample, SampleMotion, Status, TrackRow};
-pub use tally::{CautionTally, Tally};
+pub use sample::{Channel, Measured, Sample, SampleMotion, Status, TrackRow};
+pub use tally::{CautionTally, CulpritTally, Tally};
 
 use crate::caution::{Outcome, cautions};
 use crate::coupled::{Coupled, CoupledForces};
 use crate::error::{Error, InvalidInput};
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::operation::{Operation, Sinkage};
-use crate::slip::{Heading, Motion, Slip, Velocities};
+use crate::slip::{Heading, Motion, Slip};
+use refusal::{Refused, positive, present};
 use tally::CompensatedSum;
 
 /// Follows a wheel over time.
@@ -40,6 +46,9 @@ pub struct Tracker {
     latest_power: Option<(f64, f64)>,
     energy: CompensatedSum,
     tallies: [Option<Tally>; Status::ALL.len()],
+    culprits: Vec<CulpritTally>,
+    missing_torque: Option<Tally>,
+    missing_load: Option<Tally>,
     not_coupled: Option<Tally>,
     cautions: Vec<CautionTally>,
     backward: bool,
@@ -53,7 +62,13 @@ struct Reached {
     row: TrackRow,
     outcome: Outcome,
     heading: Heading,
-    coupled: Option<Result<CoupledForces, Error>>,
+    coupled: Option<Result<CoupledForces, Uncoupled>>,
+}
+
+/// Why there is no pull by the coupled form.
+enum Uncoupled {
+    Missing { torque: bool, load: bool },
+    Unsolved(Error),
 }
 
 impl Tracker {
@@ -87,6 +102,7 @@ impl Tracker {
     ///         motion: SampleMotion::Velocities(velocities),
     ///         sinkage,
     ///         measured: None,
+    ///         unreadable: false,
     ///     };
     ///     let row = tracker.push(&sample);
     ///     // 7.3396 N·m by an independent integration; at 1 rad/s that many watts.
@@ -99,7 +115,7 @@ impl Tracker {
         thresholds.check()?;
         Ok(Self {
             operation,
-            entrapment_sinkage: thresholds.entrapment_share * operation.system.wheel.radius(),
+            entrapment_sinkage: thresholds.entrapment_sinkage_ratio * operation.system.wheel.radius(),
             stall_slip: thresholds.stall_slip,
             stall: Watch::new(EventKind::Stall, thresholds.stall_time),
             entrapment: Watch::new(EventKind::Entrapment, 0.0),
@@ -110,6 +126,9 @@ impl Tracker {
             latest_power: None,
             energy: CompensatedSum::default(),
             tallies: [None; Status::ALL.len()],
+            culprits: Vec::new(),
+            missing_torque: None,
+            missing_load: None,
             not_coupled: None,
             cautions: Vec::new(),
             backward: false,
@@ -124,7 +143,14 @@ impl Tracker {
         let outcome = self.in_time(sample.time).and_then(|()| self.reached(sample, &mut slip));
         let (row, error) = match outcome {
             Ok(reached) => (self.accept(index, sample.sinkage, reached), None),
-            Err((status, error)) => (TrackRow::bad(sample.time, slip, status), error),
+            Err(Refused { status, error, culprit }) => {
+                let unread = status == Status::MissingValue && sample.unreadable;
+                let status = if unread { Status::Unreadable } else { status };
+                if let Some((channel, value)) = culprit {
+                    CulpritTally::count(&mut self.culprits, status, channel, value);
+                }
+                (TrackRow::bad(sample.time, slip, status), error)
+            }
         };
         Tally::count(&mut self.tallies[row.status as usize], index, error);
         self.watch(index, &row, error);
@@ -133,12 +159,12 @@ impl Tracker {
 
     /// Whether the sample follows the one before in time.
     fn in_time(&mut self, time: f64) -> Result<(), Refused> {
-        present(time)?;
+        present(Channel::Time, time)?;
         let backwards = self.latest_time.replace(time).is_some_and(|latest| time < latest);
         if backwards {
             self.latest_power = None; // the interval has no length
             self.finish();
-            return Err((Status::TimeBackwards, None));
+            return Err(Refused { status: Status::TimeBackwards, error: None, culprit: None });
         }
         Ok(())
     }
@@ -148,15 +174,16 @@ impl Tracker {
         let (motion, angular) = self.motion(&sample.motion)?;
         *slip = motion.slip.ratio();
         match sample.sinkage {
-            Sinkage::Given(sinkage) => positive(sinkage)?,
-            Sinkage::CarryingLoad(load) => positive(load)?,
-            Sinkage::FromStatic { static_sinkage, .. } => positive(static_sinkage)?,
+            Sinkage::Given(sinkage) => {
+                positive(Channel::Sinkage, sinkage)?;
+                if sinkage > self.operation.system.wheel.radius() {
+                    return Err(Refused::out_of_range(Channel::Sinkage, sinkage));
+                }
+            }
+            Sinkage::CarryingLoad(load) => positive(Channel::NormalLoad, load)?,
+            Sinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
         }
-        if let Some(Measured { torque, normal_load }) = sample.measured {
-            present(torque)?;
-            positive(normal_load)?;
-        }
-        let unsolved = |error| (Status::NoSolution, Some(error));
+        let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
         let operation = Operation { sinkage: sample.sinkage, ..self.operation };
         let point = operation.at(motion.slip).map_err(unsolved)?;
         let forces = point.forces.heading(motion.heading);
@@ -165,7 +192,7 @@ impl Tracker {
         if power.is_infinite() {
             return Err(unsolved(Error::NotFinite));
         }
-        let at_rest = matches!(sample.motion, SampleMotion::Velocities(Velocities { forward: 0.0, angular: 0.0 }));
+        let efficiency = || forces.tractive_efficiency(wheel, motion.slip, motion.heading);
         let row = TrackRow {
             time: sample.time,
             slip: *slip,
@@ -174,11 +201,11 @@ impl Tracker {
             normal: forces.normal,
             torque: forces.torque,
             drawbar_coefficient: forces.drawbar_coefficient().unwrap_or(f64::NAN),
-            tractive_efficiency: forces.tractive_efficiency(wheel, motion.slip, motion.heading).unwrap_or(f64::NAN),
+            tractive_efficiency: if motion.at_rest { None } else { efficiency() }.unwrap_or(f64::NAN), // 0/0 at rest
             power,
             energy: f64::NAN,
             longitudinal_coupled: f64::NAN,
-            status: if at_rest { Status::Static } else { Status::Ok },
+            status: if motion.at_rest { Status::Static } else { Status::Ok },
         };
         let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
         Ok(Reached { row, outcome: Outcome::from(&point), heading: motion.heading, coupled })
@@ -189,17 +216,19 @@ impl Tracker {
         match *motion {
             SampleMotion::Slip(ratio) => {
                 if ratio.is_nan() {
-                    return Err((Status::MissingValue, None));
+                    return Err(Refused::missing(Channel::Slip));
                 }
-                let slip = Slip::new(ratio).map_err(|error| (Status::SlipOutOfRange, Some(error)))?;
-                Ok((Motion { slip, heading: Heading::Forward }, None))
+                let culprit = Some((Channel::Slip, ratio));
+                let beyond = |error| Refused { status: Status::SlipOutOfRange, error: Some(error), culprit };
+                Ok((Motion::forward(Slip::new(ratio).map_err(beyond)?), None))
             }
             SampleMotion::Velocities(velocities) => {
-                present(velocities.forward)?;
-                present(velocities.angular)?;
-                let motion = Motion::of(&self.operation.system.wheel, velocities).map_err(|error| match error {
-                    Error::OppositeRotation { .. } => (Status::OppositeRotation, Some(error)),
-                    _ => (Status::OutOfRange, Some(error)),
+                present(Channel::ForwardVelocity, velocities.forward)?;
+                present(Channel::AngularVelocity, velocities.angular)?;
+                let motion = Motion::of(&self.operation.system.wheel, velocities).map_err(|error| {
+                    let opposite = matches!(error, Error::OppositeRotation { .. });
+                    let status = if opposite { Status::OppositeRotation } else { Status::OutOfRange };
+                    Refused { status, error: Some(error), culprit: None }
                 })?;
                 Ok((motion, Some(velocities.angular)))
             }
@@ -207,15 +236,20 @@ impl Tracker {
     }
 
     /// What follows from the measured torque and load, of the wheel moving forward.
-    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<CoupledForces, Error> {
-        let rolling = self.operation.system.rolling(motion.slip)?;
+    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<CoupledForces, Uncoupled> {
+        let (torque, load) = (measured.torque.is_nan(), measured.normal_load.is_nan());
+        if torque || load {
+            return Err(Uncoupled::Missing { torque, load });
+        }
         let ahead = if motion.heading == Heading::Backward { -measured.torque } else { measured.torque };
         let known = Coupled {
             normal_load: measured.normal_load,
             torque: Some(ahead),
             normal_stress_radius: self.operation.model.normal_stress_radius,
         };
-        known.forces(&rolling.contact(sinkage)?)
+        let rolling = self.operation.system.rolling(motion.slip);
+        let forces = rolling.and_then(|rolling| known.forces(&rolling.contact(sinkage)?));
+        forces.map_err(Uncoupled::Unsolved)
     }
 
     /// Adds the energy up to a good sample, and what the run remembers of it.
@@ -233,7 +267,14 @@ impl Tracker {
                 row.longitudinal_coupled = forces.heading(heading).longitudinal;
                 CautionTally::count(&mut self.cautions, index, forces.caution().into_iter());
             }
-            Some(Err(error)) => Tally::count(&mut self.not_coupled, index, Some(error)),
+            Some(Err(Uncoupled::Missing { torque, load })) => {
+                for (_, tally) in
+                    [(torque, &mut self.missing_torque), (load, &mut self.missing_load)].into_iter().filter(|of| of.0)
+                {
+                    Tally::count(tally, index, None);
+                }
+            }
+            Some(Err(Uncoupled::Unsolved(error))) => Tally::count(&mut self.not_coupled, index, Some(error)),
             None => {}
         }
         self.backward |= heading == Heading::Backward;
@@ -271,58 +312,4 @@ impl Tracker {
             self.keep(event);
         }
     }
-
-    /// The events that have ended, and how many more there were than are kept.
-    #[must_use]
-    pub fn events(&self) -> (&[Event], u64) {
-        (&self.events, self.events_left_out)
-    }
-
-    /// Samples so far.
-    #[must_use]
-    pub fn rows(&self) -> u64 {
-        self.rows
-    }
-
-    /// The samples of a status, if there were any.
-    #[must_use]
-    pub fn tally(&self, status: Status) -> Option<&Tally> {
-        self.tallies[status as usize].as_ref()
-    }
-
-    /// The good samples for which the coupled form has no answer, if there were any.
-    #[must_use]
-    pub fn not_coupled(&self) -> Option<&Tally> {
-        self.not_coupled.as_ref()
-    }
-
-    /// What is to be said of the good samples: one of each kind.
-    #[must_use]
-    pub fn cautions(&self) -> &[CautionTally] {
-        &self.cautions
-    }
-
-    /// Whether the wheel moved backward at a good sample.
-    #[must_use]
-    pub fn has_moved_backward(&self) -> bool {
-        self.backward
-    }
-}
-
-/// Why a sample has no result.
-type Refused = (Status, Option<Error>);
-
-fn present(value: f64) -> Result<(), Refused> {
-    if value.is_nan() {
-        Err((Status::MissingValue, None))
-    } else if value.is_infinite() {
-        Err((Status::OutOfRange, None))
-    } else {
-        Ok(())
-    }
-}
-
-fn positive(value: f64) -> Result<(), Refused> {
-    present(value)?;
-    if value > 0.0 { Ok(()) } else { Err((Status::OutOfRange, None)) }
 }

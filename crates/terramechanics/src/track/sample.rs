@@ -23,6 +23,27 @@ pub struct Sample {
     pub sinkage: Sinkage,
     /// Torque (N·m) and normal load (N), where both are measured: then Ding's coupled form gives the pull as well.
     pub measured: Option<Measured>,
+    /// Whether one of the values that are missing was there, but could not be read.
+    pub unreadable: bool,
+}
+
+/// A value of a sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channel {
+    /// Time.
+    Time,
+    /// Slip.
+    Slip,
+    /// Forward velocity of the axle.
+    ForwardVelocity,
+    /// Angular velocity of the wheel.
+    AngularVelocity,
+    /// Sinkage.
+    Sinkage,
+    /// Torque.
+    Torque,
+    /// Normal load.
+    NormalLoad,
 }
 
 /// Torque and load of a sample.
@@ -41,9 +62,11 @@ pub enum Status {
     Ok,
     /// It has, and the wheel is at rest.
     Static,
-    /// A value is missing or no number.
+    /// A value is missing.
     MissingValue,
-    /// A value is infinite, or a load or sinkage is not positive.
+    /// A value was there, but could not be read.
+    Unreadable,
+    /// A value is infinite, a load or sinkage is not positive, or a measured sinkage is beyond the radius.
     OutOfRange,
     /// The slip is not from −1 to 1.
     SlipOutOfRange,
@@ -57,10 +80,11 @@ pub enum Status {
 
 impl Status {
     /// All that can be.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Ok,
         Self::Static,
         Self::MissingValue,
+        Self::Unreadable,
         Self::OutOfRange,
         Self::SlipOutOfRange,
         Self::OppositeRotation,
@@ -75,6 +99,7 @@ impl Status {
             Self::Ok => "ok",
             Self::Static => "static",
             Self::MissingValue => "missing_value",
+            Self::Unreadable => "unreadable",
             Self::OutOfRange => "out_of_range",
             Self::SlipOutOfRange => "slip_out_of_range",
             Self::OppositeRotation => "opposite_rotation",

@@ -1,5 +1,6 @@
 //! What a run remembers of its samples, in a size that does not grow with them.
 
+use super::{Channel, Status};
 use crate::caution::Caution;
 use crate::error::Error;
 
@@ -12,6 +13,21 @@ pub struct Tally {
     pub first_row: u64,
     /// Why the model refused the first, where it did.
     pub error: Option<Error>,
+}
+
+/// Samples that have a status because of their value in one channel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CulpritTally {
+    /// The status.
+    pub status: Status,
+    /// The channel.
+    pub channel: Channel,
+    /// How many there were.
+    pub count: u64,
+    /// The value of the first, in the channel's unit; NaN where it is missing.
+    pub first_value: f64,
+    /// The largest magnitude among the values.
+    pub largest: f64,
 }
 
 /// Samples with a caution of one kind.
@@ -31,6 +47,19 @@ impl Tally {
         match tally {
             Some(tally) => tally.count += 1,
             None => *tally = Some(Self { count: 1, first_row: row, error }),
+        }
+    }
+}
+
+impl CulpritTally {
+    /// Counts a sample by the value that gave it the status.
+    pub(super) fn count(tallies: &mut Vec<Self>, status: Status, channel: Channel, value: f64) {
+        match tallies.iter_mut().find(|known| known.status == status && known.channel == channel) {
+            Some(known) => {
+                known.count += 1;
+                known.largest = known.largest.max(value.abs());
+            }
+            None => tallies.push(Self { status, channel, count: 1, first_value: value, largest: value.abs() }),
         }
     }
 }

@@ -1,0 +1,39 @@
+//! Why a sample has no result.
+
+use super::{Channel, Status};
+use crate::error::Error;
+
+/// Why it has none.
+pub(super) struct Refused {
+    pub(super) status: Status,
+    pub(super) error: Option<Error>,
+    /// The value that is to blame, where it is one.
+    pub(super) culprit: Option<(Channel, f64)>,
+}
+
+impl Refused {
+    pub(super) fn missing(channel: Channel) -> Self {
+        Self { status: Status::MissingValue, error: None, culprit: Some((channel, f64::NAN)) }
+    }
+
+    pub(super) fn out_of_range(channel: Channel, value: f64) -> Self {
+        Self { status: Status::OutOfRange, error: None, culprit: Some((channel, value)) }
+    }
+}
+
+/// That a value is there and finite.
+pub(super) fn present(channel: Channel, value: f64) -> Result<(), Refused> {
+    if value.is_nan() {
+        Err(Refused::missing(channel))
+    } else if value.is_infinite() {
+        Err(Refused::out_of_range(channel, value))
+    } else {
+        Ok(())
+    }
+}
+
+/// That a value is there, finite and greater than 0.
+pub(super) fn positive(channel: Channel, value: f64) -> Result<(), Refused> {
+    present(channel, value)?;
+    if value > 0.0 { Ok(()) } else { Err(Refused::out_of_range(channel, value)) }
+}
