@@ -36,11 +36,19 @@ function seriesOf({ answer }) {
   return answer.series ?? [{ method: answer.method, columns: answer.columns, difference: null }];
 }
 
+/** What the catalogue does not have and nobody has typed is asked for once, not by every part of the page. */
+async function refusal(settings, signal) {
+  const forces = await outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
+  return forces.problem ? { forces, sweep: forces, profile: forces, byMethod: [], series: [] } : null;
+}
+
 /**
  * `forces`, `sweep` and `profile` are the outcomes for the chosen method, each with its request and either an answer or a
  * problem; `byMethod` lists the forces of all methods asked for, `series` their curves.
  */
 export async function askAll(settings, signal) {
+  const refused = settings.isLacking ? await refusal(settings, signal) : null;
+  if (refused) return refused;
   const asked = settings.methods.map((method) => ({ method, forces: outcomeOf("/v1/forces", forcesBody(settings, method), signal) }));
   const chosen = asked.find(({ method }) => method === settings.method);
   const [profile, sweep, ...byMethod] = await Promise.all([
