@@ -81,6 +81,9 @@ function gathered(sources) {
   return [...warnings.values()];
 }
 
+/** A value that no soil of the catalogue comes near may be a slip of the unit: that is told first. */
+const urgentFirst = (warnings) => [...warnings].sort((a, b) => Number(b.code === "outside_catalogue") - Number(a.code === "outside_catalogue"));
+
 /** A comparison names the method at the head of its warnings. */
 function withoutMethod({ code, detail }) {
   const method = Object.keys(METHOD_NAMES).find((name) => detail.startsWith(`${name}: `));
@@ -97,5 +100,5 @@ export function warningsOf({ sweep, profile, byMethod, series }) {
   const ofProfile = (profile.answer?.warnings ?? []).map(({ code, detail }) => ({ code, detail: worded(detail) }));
   const said = new Set(ofForces.map(saying));
   const further = (warnings) => gathered(warnings.filter((warning) => !said.has(saying(warning))));
-  return { forces: gathered(ofForces), sweep: further(ofSweep), profile: further(ofProfile) };
+  return { forces: urgentFirst(gathered(ofForces)), sweep: further(ofSweep), profile: further(ofProfile) };
 }

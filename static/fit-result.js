@@ -79,7 +79,7 @@ function residualRows(reply, lines) {
   const { columns } = reply;
   const channels = channelsOf(reply);
   const cells = (row) => channels.flatMap((name) => ["measured", "predicted", "residual"].map((kind) =>
-    html("td", { "data-residual": kind === "residual" ? name : null }, quantity(name, columns[`${kind}_${name}`][row]))));
+    html("td", { [`data-${kind}`]: name, "data-value": columns[`${kind}_${name}`][row] }, quantity(name, columns[`${kind}_${name}`][row]))));
   const rows = lines.slice(0, MOST_ROWS).map((line, row) =>
     html("tr", {}, html("th", { scope: "row" }, `Line ${line}`), html("td", {}, `${fixed(columns.slip[row] * 100, 1)}\u00a0%`), ...cells(row)));
   const table = html("table", {},

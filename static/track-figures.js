@@ -25,7 +25,8 @@ export function trackSpec(name, { columns, events }, recorded, method) {
   const curves = [];
   if (isMeasured && !TAKEN_AS_MEASURED.includes(name)) curves.push(curveOf("recorded", "Measured", recorded[name]));
   if (columns[COUPLED[name]]?.some(isNumber)) curves.push(curveOf("coupled", "From the measured torque", columns[COUPLED[name]]));
-  curves.push(curveOf(method, isMeasured && TAKEN_AS_MEASURED.includes(name) ? "Measured" : METHOD_NAMES[method], columns[name]));
+  const origin = name === "slip" ? "From the velocities" : METHOD_NAMES[method];
+  curves.push(curveOf(method, isMeasured && TAKEN_AS_MEASURED.includes(name) ? "Measured" : origin, columns[name]));
   if (!times.length) return null;
   const [first, last] = times.reduce(([least, most], time) => [Math.min(least, time), Math.max(most, time)], [Infinity, -Infinity]);
   return {

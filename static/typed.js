@@ -6,7 +6,8 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const DECIMAL_COMMA = /^[+-]?(\d+,\d*|,\d+)(e[+-]?\d+)?$/i;
 /** A comma before three digits stands for thousands here and for decimals there, so it is not guessed. */
 const MAYBE_THOUSANDS = /^[+-]?[1-9]\d{0,2},\d{3}$/;
-const GROUPED = /^[+-]?[\d.,]*\d[\d.,]*$/;
+const THOUSANDS = /^[+-]?\d{1,3}(,\d{3})+(\.\d*)?$/;
+const WITH_COMMA = /^[+-]?[\d.,]*\d[\d.,]*$/;
 
 const trimmed = (text) => text.trim().replace("\u2212", "-");
 
@@ -33,11 +34,10 @@ export function siFromText(field, text) {
 /** What to type instead of a text that is no number. */
 export function typingAdvice(field, text, context) {
   const plain = trimmed(text);
-  if (plain.includes(",") && GROUPED.test(plain)) {
-    const whole = plain.replaceAll(",", "");
-    if (MAYBE_THOUSANDS.test(plain)) return `A comma can mean two things: type ${whole} or ${plain.replace(",", ".")}.`;
-    return NUMBER.test(whole) ? `Type the number without commas between thousands: ${whole}.` : "Type the number with one decimal sign.";
-  }
+  const whole = plain.replaceAll(",", "");
+  if (MAYBE_THOUSANDS.test(plain)) return `A comma can mean two things: type ${whole} or ${plain.replace(",", ".")}.`;
+  if (THOUSANDS.test(plain)) return `Type the number without commas between thousands: ${whole}.`;
+  if (plain.includes(",") && WITH_COMMA.test(plain)) return "Type the number with one decimal sign and nothing between thousands.";
   const alternative = field.word ? ` or “${field.word}”` : "";
   const usual = baseText(field, context);
   return `Type a number${alternative}${usual ? `, such as ${usual}` : ""}.`;
