@@ -28,7 +28,7 @@ function identifiabilityOf(identifiability, field) {
 /** A bound is told as a bare number, in SI; what the API calls a field of its answer is a column of the table. */
 function warningText(detail, law) {
   const inUnit = (_, parameter, words, number) => `${parameter}${words}${shown(fieldOf(parameter, law), Number(number))}`;
-  return named(worded(detail.replace(AT_BOUND, inUnit)).replace("see each one's `identifiability`", "see the last column of the table"));
+  return named(worded(detail.replace(AT_BOUND, inUnit)).replace("see each one's `identifiability`", "the table says why of each"));
 }
 
 const HEADS = ["Parameter", "Estimate", "95 % interval", "Do the data determine it?"];

@@ -22,8 +22,10 @@
 //   #validation-drawbar-chart #validation-sinkage-chart #validation-torque-chart
 //   #measurements[data-state]: empty | refused | ready; #measurements-file (file input), [data-column="0"] (selects), #measurements-faults li,
 //   td[data-rms="torque_n_m"][data-method][data-value], path.point[data-style="measured"] with a circle for each
+//   #telemetry[data-state]: idle | following | followed | failed; #follow-track #cancel-track #track-csv, [data-status][data-count],
+//   tr[data-event][data-from][data-to], rect.band[data-band], #track-slip-chart #track-sinkage-chart #track-force-chart #track-torque-chart
 //   #identification[data-state]: idle | fitting | fitted | failed; input[data-fit="n0"], #fit-soil #cancel-fit #use-soil,
-//   tr[data-parameter] td[data-estimate][data-value], #fit-warnings li[data-warning], #fit-status
+//   tr[data-parameter] td[data-estimate][data-value], [data-held][data-value], td[data-residual][data-value], #fit-warnings li[data-warning], #fit-status
 //   #profile-csv #sweep-csv #copy-link #copy-curl #curl #curl-note #reset-all; button[data-gives="tiles|profile|sweep"] is
 //   disabled while that part is stale
 //   #open-model, dialog#model[open], #model-equations #erratum-1 and so on

@@ -65,7 +65,7 @@ function eventTable(events, lines) {
 
 /** Samples are told by the lines of the file. */
 function warningText(detail, lines) {
-  return named(worded(detail).replace(/at ind(?:ex|ices) ([\d–, ]*\d)/, (_, rows) =>
+  return named(worded(detail).replace("give `normal_load_n`", "choose “Normal load” at the operating point").replace(/at ind(?:ex|ices) ([\d–, ]*\d)/, (_, rows) =>
     `at ${/[–,]/.test(rows) ? "lines" : "line"} ${rows.replace(/\d+/g, (row) => lines[row])} of the file`));
 }
 
