@@ -6,9 +6,9 @@ import { MEASURED } from "./columns.js";
 import { html, sentenceHtml } from "./elements.js";
 import { FIELDS } from "./fields.js";
 import { showFit } from "./fit-result.js";
+import { identifyBody } from "./measured-requests.js";
 import { PARAMETERS, labelled, mismatch, named } from "./parameters.js";
 import { createSearch } from "./search.js";
-import { identifyBody } from "./settings.js";
 import { faultOf, worded } from "./wording.js";
 
 const byId = (id) => document.getElementById(id);
