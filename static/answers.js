@@ -36,11 +36,19 @@ function seriesOf({ answer }) {
   return answer.series ?? [{ method: answer.method, columns: answer.columns }];
 }
 
+/** What the catalogue does not have and nobody has typed is asked for once, not by every part of the page. */
+async function refusal(settings, signal) {
+  const forces = await outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
+  return forces.problem ? { forces, sweep: forces, profile: forces, byMethod: [], series: [] } : null;
+}
+
 /**
  * `forces`, `sweep` and `profile` are the outcomes for the chosen method, each with its request and either an answer or a
  * problem; `byMethod` lists the forces of all methods asked for, `series` their curves.
  */
 export async function askAll(settings, signal) {
+  const refused = settings.isLacking ? await refusal(settings, signal) : null;
+  if (refused) return refused;
   const asked = settings.methods.map((method) => ({ method, forces: outcomeOf("/v1/forces", forcesBody(settings, method), signal) }));
   const chosen = asked.find(({ method }) => method === settings.method);
   const [profile, sweep, ...byMethod] = await Promise.all([
@@ -73,6 +81,9 @@ function gathered(sources) {
   return [...warnings.values()];
 }
 
+/** A value that no soil of the catalogue comes near may be a slip of the unit: that is told first. */
+const urgentFirst = (warnings) => [...warnings].sort((a, b) => Number(b.code === "outside_catalogue") - Number(a.code === "outside_catalogue"));
+
 /** A comparison names the method at the head of its warnings. */
 function withoutMethod({ code, detail }) {
   const method = Object.keys(METHOD_NAMES).find((name) => detail.startsWith(`${name}: `));
@@ -89,5 +100,5 @@ export function warningsOf({ sweep, profile, byMethod, series }) {
   const ofProfile = (profile.answer?.warnings ?? []).map(({ code, detail }) => ({ code, detail: worded(detail) }));
   const said = new Set(ofForces.map(saying));
   const further = (warnings) => gathered(warnings.filter((warning) => !said.has(saying(warning))));
-  return { forces: gathered(ofForces), sweep: further(ofSweep), profile: further(ofProfile) };
+  return { forces: urgentFirst(gathered(ofForces)), sweep: further(ofSweep), profile: further(ofProfile) };
 }

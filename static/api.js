@@ -57,6 +57,24 @@ export const identify = (body, signal) => answer("/v1/identify", posted(body, "a
 
 export const postForCsv = (path, body) => answer(path, posted(body, "text/csv"), asText);
 
+/** Nested fields as a query has them: dotted. */
+const dotted = (value, name = "") => (value !== null && typeof value === "object"
+  ? Object.entries(value).flatMap(([key, each]) => dotted(each, name ? `${name}.${key}` : key)) : [[name, String(value)]]);
+
+/** A table has no limit to its size where a body of JSON has one, so the columns go as a table. */
+function tableOf(columns) {
+  const names = Object.keys(columns);
+  const rows = columns[names[0]].map((_, row) => names.map((name) => columns[name][row] ?? "").join(","));
+  return [names.join(","), ...rows, ""].join("\n");
+}
+
+const trackAnswer = (read, accept) => ({ settings, columns }, signal) => answer(`/v1/track?${new URLSearchParams(dotted(settings))}`, {
+  method: "POST", headers: { "Content-Type": "text/csv", Accept: accept }, body: tableOf(columns),
+}, read, signal, SEARCH_PATIENCE_MS);
+
+export const follow = trackAnswer(asJson, "application/json");
+export const followForCsv = trackAnswer(asText, "text/csv");
+
 export const modelStatement = () => answer("/v1/model", {}, asJson);
 
 export async function catalogueOf() {

@@ -10,6 +10,7 @@ const MARGIN = { top: 10, right: 14, bottom: 36 };
 const TICK_SPACING = { x: 75, y: 34 };
 const PAGE_STEPS = 10;
 const POINT_PX = 3.5;
+const LEAST_BAND_PX = 2;
 
 const isNumber = (value) => value !== null && value !== undefined;
 
@@ -71,7 +72,8 @@ function nearestIndex(values, target) {
  *   curves: [{ key, name, values }],      key selects colour and dashes in the style sheet
  *   marks: [{ key, at, label }],          vertical lines
  *   dots: [{ key, at, value }],           single points of the curves with the same key
- *   points: { key, name, reading, at: [], values: [] },   measured ones, told apart in the legend by `reading`; may be absent
+ *   points: { key, name, reading, at: [], values: [] },   measured ones, told apart in the legend by `reading` unless `isListed` is false; may be absent
+ *   bands: [{ key, from, to }],           stretches of x; may be absent
  *   rest: x at which the legend reads while there is no cursor, or null,
  * }
  */
@@ -105,7 +107,7 @@ export function createChart(host, { onCursor, onPick } = {}) {
           svg("path", { class: "curve", "data-style": curve.key, d: "M1 4H25" })),
         html("span", {}, curve.name),
         html("span", { class: "reading" }, at === null ? "" : textOf(reading(curve)))));
-    if (spec.points) {
+    if (spec.points && spec.points.isListed !== false) {
       items.push(html("li", { "data-curve": spec.points.key },
         svg("svg", { class: "swatch", viewBox: "0 0 26 8", "aria-hidden": "true" },
           svg("path", { class: "curve", "data-style": spec.points.key, d: "M1 4H25" })),
@@ -168,6 +170,10 @@ export function createChart(host, { onCursor, onPick } = {}) {
       surface.append(
         svg("line", { class: tick.value === 0 ? "zero" : "grid", x1: left, x2: width - MARGIN.right, y1: py, y2: py }),
         svg("text", { class: "tick-label", x: left - 6, y: py + 4, "text-anchor": "end" }, tick.text));
+    }
+    for (const { key, from, to } of spec.bands ?? []) {
+      const width = Math.max(LEAST_BAND_PX, x(to) - x(from));
+      surface.append(svg("rect", { class: "band", "data-band": key, x: x(from), y: top, width, height: bottom - top }));
     }
     surface.append(svg("text", { class: "axis-label", x: left - 6, y: top - LINE_PX + 4, "text-anchor": "end" }, spec.y.unit));
     for (const tick of ticksWithin(spec.x.domain, Math.max(2, Math.round((width - left) / TICK_SPACING.x)))) {

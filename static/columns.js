@@ -2,62 +2,94 @@
 
 import { power } from "./fields.js";
 
-/** The columns the service takes, with the units in which tables have them; the first one is what a table without a unit has. */
+const factor = (text, toOne) => ({ text, toSi: (plain) => Number(plain) * toOne, fromSi: (value) => value / toOne });
+const LENGTHS = [power("m", 0), power("cm", -2), power("mm", -3)];
+const FORCES = [power("N", 0), power("kN", 3)];
+
+/**
+ * The columns the service takes, with the units in which tables have them; the first one is what a table without a unit has.
+ * A name of one letter is meant as it is written: t is a time, T a torque.
+ */
 export const MEASURED = {
-  slip: { label: "Slip", units: [power("–", 0), power("%", -2)], names: ["s", "i", "slip", "slip_ratio", "slipratio", "wheel_slip", "schlupf"] },
-  sinkage_m: { label: "Sinkage", units: [power("m", 0), power("cm", -2), power("mm", -3)],
-    names: ["z", "h", "sinkage", "wheel_sinkage", "depth", "einsinkung", "einsinktiefe"] },
-  longitudinal_force_n: { label: "Drawbar pull", units: [power("N", 0), power("kN", 3)],
+  time_s: { label: "Time", units: [power("s", 0), power("ms", -3), factor("min", 60)], names: ["t", "time", "elapsed", "elapsed_time", "timestamp", "zeit"] },
+  slip: { label: "Slip", units: [power("–", 0), power("%", -2)], names: ["s", "S", "i", "slip", "slip_ratio", "slipratio", "wheel_slip", "schlupf"] },
+  forward_velocity_m_s: { label: "Forward velocity", units: [power("m/s", 0), power("cm/s", -2), power("mm/s", -3)],
+    names: ["v", "v_x", "vx", "velocity", "speed", "forward_velocity", "forward_speed", "travel_speed", "travel_velocity", "geschwindigkeit", "fahrgeschwindigkeit"] },
+  angular_velocity_rad_s: { label: "Angular velocity", units: [power("rad/s", 0), factor("rpm", Math.PI / 30), factor("°/s", Math.PI / 180)],
+    names: ["ω", "w", "omega", "angular_velocity", "angular_speed", "wheel_speed", "rotational_speed", "winkelgeschwindigkeit", "drehzahl", "rpm"] },
+  sinkage_m: { label: "Sinkage", units: LENGTHS, names: ["z", "Z", "h", "sinkage", "wheel_sinkage", "depth", "einsinkung", "einsinktiefe"] },
+  longitudinal_force_n: { label: "Drawbar pull", units: FORCES,
     names: ["fx", "f_x", "dp", "drawbar", "drawbar_pull", "longitudinal_force", "pull", "force_x", "zugkraft"] },
-  normal_force_n: { label: "Normal force", units: [power("N", 0), power("kN", 3)],
-    names: ["fz", "f_z", "w", "load", "normal_force", "normal_load", "vertical_force", "vertical_load", "force_z", "normalkraft", "last", "radlast"] },
+  normal_force_n: { label: "Normal force", units: FORCES,
+    names: ["W", "w", "fz", "f_z", "load", "normal_force", "normal_load", "vertical_force", "vertical_load", "force_z", "normalkraft", "last", "radlast"] },
   torque_n_m: { label: "Torque", units: [power("N·m", 0), power("N·mm", -3), power("kN·m", 3)],
-    names: ["t", "m", "my", "m_y", "torque", "wheel_torque", "driving_torque", "moment", "drehmoment"] },
+    names: ["T", "M", "m", "my", "m_y", "torque", "wheel_torque", "driving_torque", "moment", "drehmoment"] },
 };
 
 /** Beyond these, a number without a unit is no ratio and no sinkage in metres of a rover's wheel. */
 const LARGEST_RATIO = 1.5;
 const LARGEST_SINKAGE_M = 1;
 
-const UNIT_WORDS = { "1": "–", "-": "–", "": "", nm: "N·m", "n*m": "N·m", "n.m": "N·m", "n m": "N·m", "n-m": "N·m", nmm: "N·mm", knm: "kN·m", percent: "%", pct: "%" };
+/** Units that a name brings along. */
+const UNIT_OF_NAME = { rpm: "rpm", drehzahl: "rpm" };
+
+/** How else units are written, in lower case. */
+const UNIT_WORDS = {
+  "1": "–", "-": "–", percent: "%", pct: "%", nm: "N·m", n_m: "N·m", "n*m": "N·m", "n.m": "N·m", "n m": "N·m", "n-m": "N·m", nmm: "N·mm", n_mm: "N·mm", knm: "kN·m",
+  m_s: "m/s", cm_s: "cm/s", mm_s: "mm/s", "m s-1": "m/s", rad_s: "rad/s", "rad s-1": "rad/s", "1/min": "rpm", "u/min": "rpm", "deg/s": "°/s", deg_s: "°/s",
+  sec: "s", seconds: "s", minutes: "min",
+};
+const UNITS = new Map(Object.values(MEASURED).flatMap(({ units }) => units.map(({ text }) => [text.toLowerCase(), text])));
 
 function unitWord(text) {
   const word = text.replace(/[[\](){}]/g, "").trim().toLowerCase();
-  return UNIT_WORDS[word] ?? word;
+  return UNIT_WORDS[word] ?? UNITS.get(word) ?? word;
 }
+const isUnit = (text) => [...UNITS.values()].includes(unitWord(text));
 
-/** "Fx [N]", "z (mm)", "slip / %" and "sinkage_mm" as a name and a unit. */
+/** "Fx [N]", "z (mm)", "slip / %", "Slip %" and "v m/s" as a name and a unit. */
 function split(heading, unitOfRow) {
-  const [, name, bracketed] = /^(.*?)\s*[[({]([^\])}]*)[\])}]\s*$/.exec(heading) ?? [];
+  const [, name, bracketed] = /^(.*?)[\s/_]*[[({]([^\])}]*)[\])}]$/.exec(heading) ?? [];
   if (name) return { name, unit: unitWord(bracketed) };
-  const [, before, after] = /^(.*?)\s*\/\s*(\S+)$/.exec(heading) ?? [];
-  if (before) return { name: before, unit: unitWord(after) };
+  for (const { index, 0: gap } of heading.matchAll(/[\s/]+/g)) {
+    const rest = heading.slice(index + gap.length);
+    if (index && isUnit(rest)) return { name: heading.slice(0, index), unit: unitWord(rest) };
+  }
   return { name: heading, unit: unitWord(unitOfRow) };
 }
 
-const normal = (name) => name.trim().toLowerCase().replace(/[\s.-]+/g, "_");
-const UNIT_SUFFIX = /^(.+?)_(m|cm|mm|n|kn|n_m|nm|n_mm|pct|percent)$/;
+const UNIT_SUFFIX = /^(.+?)_(m|cm|mm|n|kn|n_m|nm|n_mm|nmm|pct|percent|%|s|ms|min|sec|m_s|cm_s|mm_s|rad_s|deg_s|rpm)$/i;
 
-function guess({ heading, unit: unitOfRow, texts }) {
-  let { name, unit } = split(heading, unitOfRow);
-  name = normal(name);
-  const quantityOf = (word) => Object.keys(MEASURED).find((key) => MEASURED[key].names.includes(word));
-  let quantity = quantityOf(name);
-  const [, stem, suffix] = UNIT_SUFFIX.exec(name) ?? [];
-  if (!quantity && stem) {
-    quantity = quantityOf(stem);
-    unit ||= unitWord(suffix.replace("_", ""));
-  }
-  if (!quantity) return null;
+/** A word of a heading as the names have it. */
+function normal(text) {
+  const word = text.trim().replace(/[\s.-]+/g, "_");
+  return word.length === 1 ? word : word.toLowerCase();
+}
+const quantitiesOf = (word) => Object.keys(MEASURED).filter((key) => MEASURED[key].names.includes(word));
+
+function usualUnit(quantity, name, texts) {
   const { units } = MEASURED[quantity];
   const largest = texts.reduce((most, text) => Math.max(most, Math.abs(Number(text))), 0);
-  const known = units.find(({ text }) => text.toLowerCase() === unit.toLowerCase());
-  if (known) return { quantity, unit: known };
-  // A unit that the quantity cannot have makes it another quantity.
-  if (unit) return null;
-  if (quantity === "slip" && largest > LARGEST_RATIO) return { quantity, unit: units[1] };
-  if (quantity === "sinkage_m" && largest > LARGEST_SINKAGE_M) return { quantity, unit: units[2] };
-  return { quantity, unit: units[0] };
+  if (quantity === "slip" && largest > LARGEST_RATIO) return units[1];
+  if (quantity === "sinkage_m" && largest > LARGEST_SINKAGE_M) return units[2];
+  return units.find(({ text }) => text === UNIT_OF_NAME[name]) ?? units[0];
+}
+
+function guess({ heading, unit: unitOfRow, texts }) {
+  let { name, unit } = split(heading.trim(), unitOfRow);
+  name = normal(name);
+  let quantities = quantitiesOf(name);
+  const [, stem, suffix] = UNIT_SUFFIX.exec(heading.trim().replace(/[\s.-]+/g, "_")) ?? [];
+  if (!quantities.length && stem) {
+    quantities = quantitiesOf(normal(stem));
+    unit ||= unitWord(suffix);
+  }
+  // A unit that the quantity cannot have makes it another quantity; a name that two quantities have says nothing without one.
+  const unitOf = (quantity) => MEASURED[quantity].units.find(({ text }) => text === unit);
+  const possible = unit ? quantities.filter(unitOf) : quantities;
+  if (possible.length !== 1) return null;
+  const [quantity] = possible;
+  return { quantity, unit: unit ? unitOf(quantity) : usualUnit(quantity, name, texts) };
 }
 
 /** For each column its quantity and unit, or null; a quantity goes to the first column that may be it. */
@@ -76,24 +108,4 @@ export const choiceOf = (mapped) => (mapped ? `${mapped.quantity} ${mapped.unit.
 export function choiceFrom(value) {
   const [quantity, text] = value.split(" ");
   return quantity ? { quantity, unit: MEASURED[quantity].units.find((unit) => unit.text === text) } : null;
-}
-
-/**
- * The measurements in SI by the service's names, with the line of each row; rows with an empty cell in a chosen column are left
- * out and counted. `faults` are those that stand in the way.
- */
-export function samplesOf(table, mapping) {
-  const used = mapping.map((mapped, column) => ({ ...mapped, column })).filter(({ quantity }) => quantity);
-  const faults = table.faults.filter(({ column }) => mapping[column]).map(({ text }) => text);
-  for (const quantity of Object.keys(MEASURED)) {
-    const holders = used.filter((each) => each.quantity === quantity);
-    if (holders.length > 1) faults.push(`${MEASURED[quantity].label} is chosen for ${holders.length} columns: ignore all but one.`);
-  }
-  const has = (quantity) => used.some((each) => each.quantity === quantity);
-  if (!has("slip")) faults.push("Choose the column that is the slip.");
-  if (!used.some(({ quantity }) => quantity !== "slip")) faults.push("Choose a measured column beside the slip.");
-  const rows = table.lines.map((_, row) => row).filter((row) => used.every(({ column }) => table.columns[column].texts[row] !== null));
-  if (!rows.length) faults.push("No row has a number in every chosen column.");
-  const data = Object.fromEntries(used.map(({ quantity, unit, column }) => [quantity, rows.map((row) => unit.toSi(table.columns[column].texts[row]))]));
-  return { data, lines: rows.map((row) => table.lines[row]), left: table.lines.length - rows.length, faults };
 }

@@ -1,6 +1,6 @@
 // The form: choices, fields and groups, and the fault of each at its place.
 
-import { html } from "./elements.js";
+import { html, sentenceHtml } from "./elements.js";
 import { createFieldRow } from "./field-row.js";
 import { FIELDS } from "./fields.js";
 import { fillPresets, showGrade } from "./presets.js";
@@ -133,7 +133,7 @@ export function createControls(form, onChange) {
       const text = (texts.get(fault) ?? []).join(" ");
       const group = input.closest("details");
       if (text && fault.hidden && group) group.open = true;
-      if (fault.textContent !== text) fault.textContent = text;
+      if (fault.textContent !== text.replaceAll("`", "")) fault.replaceChildren(...sentenceHtml(text));
       fault.hidden = !text;
       if (text) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");

@@ -19,7 +19,8 @@ export function formulaHtml(text) {
   return [...nodes, text.slice(end)].filter((node) => node !== "");
 }
 
-const maths = (text) => formulaHtml(text ?? "");
+/** Formulas, and between backticks names of the API. */
+const maths = (text) => (text ?? "").split(/`([^`]*)`/).flatMap((part, index) => (index % 2 ? html("code", {}, part) : formulaHtml(part)));
 
 function table(className, heads, rows) {
   return html("div", { class: "wide" }, html("table", { class: `statement ${className}` },

@@ -1,7 +1,8 @@
 // One number a person can set: label, number box, unit, slider, a reset while it is changed, and the place for its fault.
 
 import { html, symbolHtml } from "./elements.js";
-import { baseText, shownText, siFromText, sliderRange } from "./fields.js";
+import { baseText, shownText, sliderRange } from "./fields.js";
+import { plainNumber } from "./typed.js";
 
 const COARSE_STEPS = 10;
 
@@ -44,8 +45,8 @@ export function createFieldRow(field, { followsPreset, onText, onReset }) {
   box.addEventListener("input", () => send(box.value));
   box.addEventListener("keydown", (event) => {
     const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    const plain = box.value.trim();
-    if (!direction || !slider || typeof siFromText(field, plain) !== "number") return;
+    const plain = plainNumber(box.value);
+    if (!direction || !slider || plain === null) return;
     event.preventDefault();
     send(nudged(plain, direction * Number(slider.step) * (event.shiftKey ? COARSE_STEPS : 1)));
   });
@@ -67,8 +68,7 @@ export function createFieldRow(field, { followsPreset, onText, onReset }) {
     reset.setAttribute("aria-label", `${label} is changed. Reset to the preset: ${usualText}`);
     if (!slider) return;
     Object.assign(slider, sliderRange(field, context));
-    const shown = Number(text);
-    slider.value = text !== "" && Number.isFinite(shown) ? shown : slider.min;
+    slider.value = plainNumber(text) ?? slider.min;
     slider.setAttribute("aria-valuetext", text === "" ? unset : `${text} ${unit}`.trim());
   }
 

@@ -145,32 +145,6 @@ export const FIELDS = [
     base: () => 0 },
 ];
 
-const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-const WITH_COMMA = /^[+\u2212-]?[\d.,]*\d[\d.,]*$/;
-const MAYBE_THOUSANDS = /^[+\u2212-]?[1-9]\d{0,2},\d{3}$/;
-
-/** The SI value of typed text, the field's word if it takes one, or null if it is neither. */
-export function siFromText(field, text) {
-  const plain = text.trim().replace("\u2212", "-");
-  if (field.word && plain.toLowerCase() === field.word) return field.word;
-  if (!NUMBER.test(plain)) return null;
-  const value = field.unit.toSi(plain);
-  return Number.isFinite(value) ? value : null;
-}
-
-/** What to type instead of a text that is no number. A comma stands for thousands here and for decimals there, so it is not guessed. */
-export function typingAdvice(field, text, context) {
-  const plain = text.trim();
-  if (plain.includes(",") && WITH_COMMA.test(plain)) {
-    const [whole, pointed] = [plain.replaceAll(",", ""), plain.replace(",", ".")];
-    if (MAYBE_THOUSANDS.test(plain)) return `A comma can mean two things: type ${whole} or ${pointed}.`;
-    return `Type the number without a comma: ${NUMBER.test(pointed) ? pointed : whole}.`;
-  }
-  const alternative = field.word ? ` or “${field.word}”` : "";
-  const usual = baseText(field, context);
-  return `Type a number${alternative}${usual ? `, such as ${usual}` : ""}.`;
-}
-
 /** A value of the API as a text for the box. */
 export const fieldText = (field, value) => String(Number(field.unit.fromSi(value).toPrecision(SHOWN_DIGITS)));
 

@@ -53,6 +53,26 @@ function between(slips, values, slip) {
   return next === before ? to : from + ((slip - slips[before]) / (slips[next] - slips[before])) * (to - from);
 }
 
+/** A measured quantity's distance from the fit, as the service gives it, over slip: invisible as a curve, drawn as points. */
+export function residualSpec(name, { columns, rmse }) {
+  const { name: title, unit, factor } = QUANTITIES[name];
+  const rows = columns.slip.map((_, row) => row).sort((a, b) => columns.slip[a] - columns.slip[b]);
+  const slips = rows.map((row) => columns.slip[row] * 100);
+  const values = scaled(rows.map((row) => columns[`residual_${name}`][row]), factor);
+  const present = values.map((_, row) => row).filter((row) => values[row] !== null);
+  const margin = Math.max(1, 0.04 * (slips.at(-1) - slips[0]));
+  return {
+    label: `${title}, predicted less measured, over slip`,
+    x: { values: slips, domain: [slips[0] - margin, slips.at(-1) + margin], name: "s", spoken: "slip", label: "slip s, %", format: percent },
+    y: { unit, missing: "no prediction", format: (value) => quantity(name, value / factor) },
+    curves: [{ key: "measured", name: `Residual, rms ${quantity(name, rmse[name])}`, values }],
+    marks: [],
+    dots: [],
+    points: { key: "measured", name: "", reading: "", at: present.map((row) => slips[row]), values: present.map((row) => values[row]), isListed: false },
+    rest: null,
+  };
+}
+
 /** Root of the mean squared distance of measured points from a curve, where it has values; null where it has none. */
 export function residualOf(name, measured, columns) {
   const gaps = measured.slip.map((slip, row) => [between(columns.slip, columns[name], slip), measured[name][row]])

@@ -10,6 +10,7 @@ export const QUANTITIES = {
   normal_force_n: { name: "Normal force", unit: "N", factor: 1 },
   torque_n_m: { name: "Torque", unit: "N·m", factor: 1 },
   sinkage_m: { name: "Sinkage", unit: "mm", factor: 1e3 },
+  slip: { name: "Slip", unit: "%", factor: 100 },
   drawbar_coefficient: { name: "Drawbar coefficient", unit: "", factor: 1 },
   tractive_efficiency: { name: "Tractive efficiency", unit: "%", factor: 100 },
   traction_n: { name: "Traction", unit: "N", factor: 1 },

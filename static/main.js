@@ -1,4 +1,5 @@
-// The plotting page. It shows what the service computes and computes nothing itself.
+// The plotting page. It shows what the service computes. Its own arithmetic is that of drawing: units, axes, and how far measured
+// points lie from a drawn curve.
 //
 // For tests: ids and attributes that stay.
 //   #app[data-state]          loading | ready | fault | offline; #app[data-round] counts the rounds shown;
@@ -21,8 +22,10 @@
 //   #validation-drawbar-chart #validation-sinkage-chart #validation-torque-chart
 //   #measurements[data-state]: empty | refused | ready; #measurements-file (file input), [data-column="0"] (selects), #measurements-faults li,
 //   td[data-rms="torque_n_m"][data-method][data-value], path.point[data-style="measured"] with a circle for each
+//   #telemetry[data-state]: idle | following | followed | failed; #follow-track #cancel-track #track-csv, [data-status][data-count],
+//   tr[data-event][data-from][data-to], rect.band[data-band], #track-slip-chart #track-sinkage-chart #track-force-chart #track-torque-chart
 //   #identification[data-state]: idle | fitting | fitted | failed; input[data-fit="n0"], #fit-soil #cancel-fit #use-soil,
-//   tr[data-parameter] td[data-estimate][data-value], #fit-warnings li[data-warning], #fit-status
+//   tr[data-parameter] td[data-estimate][data-value], [data-held][data-value], td[data-residual][data-value], #fit-warnings li[data-warning], #fit-status
 //   #profile-csv #sweep-csv #copy-link #copy-curl #curl #curl-note #reset-all; button[data-gives="tiles|profile|sweep"] is
 //   disabled while that part is stale
 //   #open-model, dialog#model[open], #model-equations #erratum-1 and so on
@@ -35,13 +38,13 @@ import { createControls } from "./controls.js";
 import { connectEquations } from "./equations.js";
 import { profileSpec, sweepSpec } from "./figures.js";
 import { connectMeasurements } from "./measurements.js";
-import { showOrigin } from "./presets.js";
-import { createAnnouncer, showComparison, showGaps, showTiles, showWarnings } from "./results.js";
+import { showNominalLoad, showOrigin } from "./presets.js";
+import { createAnnouncer, showComparison, showGaps, showTiles, showWarnings, showWarningsLink } from "./results.js";
 import { createRounds } from "./rounds.js";
 import { createScene } from "./scene.js";
 import { changesFor, contextOf, settingsOf } from "./settings.js";
 import { connectCopy, connectCsv } from "./share.js";
-import { DEFAULTS, offeredState, stateFromQuery } from "./state.js";
+import { DEFAULTS, consistent, offeredState, stateFromQuery, withoutBraking } from "./state.js";
 import { createStatus } from "./status.js";
 import { connectValidation } from "./validation.js";
 
@@ -95,7 +98,7 @@ const address = createAddress(() => state, () => {
 /** A choice that the address makes and nobody offers gives way to its default, and that is said. */
 function takeOffered(wanted) {
   const { state: offered, unknown } = offeredState(wanted, controls.offers);
-  state = offered;
+  state = consistent(offered);
   notTaken.push(...unknown.map(({ key, value }) => `${key}=${value}`));
   const isOne = notTaken.length === 1;
   byId("notice").textContent = `The address says ${notTaken.join(", ")}, which this page does not offer: `
@@ -113,6 +116,7 @@ function change(changes, { discrete }) {
   notTaken = [];
   byId("notice").hidden = true;
   state = { ...state, ...changes };
+  state = consistent(changes.braking === "" ? { ...state, ...withoutBraking(state) } : state);
   address.write({ discrete });
   showControls();
   rounds.request({ supersede: discrete });
@@ -123,6 +127,7 @@ function showControls() {
   controls.show(state, context);
   showOrigin(byId("wheel-origin"), context.wheel);
   showOrigin(byId("soil-origin"), context.soil);
+  showNominalLoad(byId("nominal-load"), state, context);
   byId("fourth").value = state.fourth;
 }
 
@@ -184,6 +189,7 @@ function showOutcomes(settings, outcomes) {
   }
   const warnings = warningsOf(outcomes);
   showWarnings(byId("warnings"), warnings.forces);
+  showWarningsLink(byId("warnings-link"), warnings.forces);
   showWarnings(byId("profile-warnings"), warnings.profile);
   showWarnings(byId("sweep-warnings"), warnings.sweep);
   const answered = { tiles: forces, scene: forces, profile, sweep };
@@ -215,6 +221,7 @@ connectCopy(byId("copy-link"), () => {
 connectCsv(byId("profile-csv"), () => shown.profile);
 connectCsv(byId("sweep-csv"), () => shown.sweep);
 
+byId("nominal-load").querySelector("button").addEventListener("click", () => change({ by: "load", load_n: null }, { discrete: true }));
 byId("reset-all").addEventListener("click", () => change(DEFAULTS, { discrete: true }));
 byId("fourth").addEventListener("change", ({ target }) => {
   state = { ...state, fourth: target.value };

@@ -1,51 +1,32 @@
-// A person's own measurements: read from a file in the browser, drawn over the curves, and sent only to be fitted to.
+// A person's own measurements: read from a file in the browser, drawn over the curves, and sent only to be fitted to or followed.
 
-import { MEASURED, choiceFrom, choiceOf, guessColumns, samplesOf } from "./columns.js";
+import { guessColumns } from "./columns.js";
 import { html } from "./elements.js";
-import { residualOf } from "./figures.js";
-import { METHOD_NAMES, quantity } from "./format.js";
 import { connectIdentification } from "./identification.js";
+import { mappingTable, markWrong } from "./mapping.js";
+import { residualTable } from "./residual-table.js";
+import { MOST_POINTS, hasSpareVelocities, samplesOf } from "./samples.js";
 import { TableFault, parseTable } from "./table.js";
+import { connectTelemetry } from "./telemetry.js";
 
-const PREVIEW_ROWS = 5;
 const MOST_FAULTS = 10;
 /** Far beyond the rows that the service takes; a larger file is something else. */
-const MOST_BYTES = 5_000_000;
+const MOST_BYTES = 20_000_000;
 
 const byId = (id) => document.getElementById(id);
 
-function columnSelect(column, heading, mapped) {
-  const options = Object.entries(MEASURED).map(([key, { label, units }]) => html("optgroup", { label },
-    ...units.map((unit) => html("option", { value: choiceOf({ quantity: key, unit }) }, `${label}, ${unit.text}`))));
-  const select = html("select", { "data-column": column, "aria-label": `What the column ${heading} is` }, html("option", { value: "" }, "Ignore"), ...options);
-  select.value = choiceOf(mapped);
-  return select;
-}
-
-/** Its heading, what it is taken for, and the first cells. */
-function previewTable({ columns, lines }, selects) {
-  const rows = lines.slice(0, PREVIEW_ROWS).map((line, row) => html("tr", {},
-    html("th", { scope: "row" }, `Line ${line}`),
-    ...columns.map(({ cells }, column) => html("td", { "data-cell": `${line} ${column}` }, cells[row] || "–"))));
-  return html("table", {},
-    html("thead", {},
-      html("tr", {}, html("td", {}), ...columns.map(({ heading, unit }) => html("th", { scope: "col" }, [heading, unit].filter(Boolean).join(", ")))),
-      html("tr", {}, html("td", {}, "is"), ...selects.map((select) => html("td", {}, select)))),
-    html("tbody", {}, ...rows));
-}
-
-function residualTable(measured, series) {
-  const names = Object.keys(MEASURED).filter((name) => name !== "slip" && measured[name]);
-  const cell = (name, { method, columns }) => {
-    const { rms, count } = residualOf(name, measured, columns);
-    const text = rms === null ? "no curve there" : quantity(name, rms);
-    const part = rms !== null && count < measured.slip.length ? ` (${count} of ${measured.slip.length} points)` : "";
-    return html("td", { "data-rms": name, "data-method": method, "data-value": rms ?? "" }, text + part);
-  };
-  return html("table", {},
-    html("caption", {}, "Root mean square of measured minus shown curve"),
-    html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "Quantity"), ...series.map(({ method }) => html("th", { scope: "col" }, METHOD_NAMES[method])))),
-    html("tbody", {}, ...names.map((name) => html("tr", {}, html("th", { scope: "row" }, MEASURED[name].label), ...series.map((each) => cell(name, each))))));
+/** What becomes of the rows, in words. */
+function useOf({ points, track, isTooLong }, mapping) {
+  const rows = (count) => `${count} ${count === 1 ? "row" : "rows"}`;
+  const sentences = [];
+  if (points) {
+    const left = points.left ? `; ${points.left} without a number in every chosen column are left out` : "";
+    sentences.push(`${rows(points.lines.length)} to be used for the curves over slip and a fit${left}.`);
+  }
+  if (isTooLong) sentences.push(`More than the ${MOST_POINTS} rows that a fit takes, so that only the track is there.`);
+  if (track && !points && !isTooLong) sentences.push("Telemetry: follow the track; points over slip need a slip, which the track brings, and a measured column beside it.");
+  if (track && hasSpareVelocities(mapping)) sentences.push("The velocities are not sent, since there is a slip: ignore its column to have it from them.");
+  return sentences.join(" ");
 }
 
 /** `settings()`: what is on the page; `onData()` tells that the measurements are others; `onSoil` takes a soil that was found. */
@@ -60,9 +41,17 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
   /** A file that is still being read when the next one comes is not shown any more. */
   let latest = 0;
 
-  const identification = connectIdentification(byId("identification"), { settings, samples: () => samples, onSoil });
+  const identification = connectIdentification(byId("identification"), { settings, samples: () => samples.points, onSoil });
+  const telemetry = connectTelemetry(byId("telemetry"), {
+    settings,
+    track: () => ({ track: samples.track, columns: samples.columns, lines: table.lines }),
+    onSlips(slips) {
+      samples = samplesOf(table, mapping, slips);
+      showPoints();
+    },
+  });
   const isReady = () => samples !== null && !samples.faults.length;
-  const data = () => (isReady() ? samples.data : null);
+  const data = () => (isReady() && samples.points ? samples.points.data : null);
 
   function tellFaults(faults) {
     const list = byId("measurements-faults");
@@ -74,30 +63,34 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
 
   function compare(shown) {
     series = shown;
+    telemetry.tell();
     const residuals = byId("measurements-residuals");
-    residuals.hidden = !isReady() || !Object.keys(samples.data).some((name) => name !== "slip");
+    const measured = data();
+    residuals.hidden = measured === null;
     if (residuals.hidden) return;
-    const slips = samples.data.slip;
-    const outside = slips.filter((slip) => slip < shown[0].columns.slip[0]).length;
-    residuals.replaceChildren(residualTable(samples.data, shown), html("p", { class: "figure-note" },
-      "The curves belong to the one sinkage or load that is set on this page; the fit takes each row’s own.",
+    const outside = measured.slip.filter((slip) => slip < shown[0].columns.slip[0]).length;
+    residuals.replaceChildren(residualTable(measured, shown), html("p", { class: "figure-note" },
+      "The curves belong to the one sinkage or load that is set on this page; the fit takes each row’s own, and tells the residuals of the rows.",
       outside ? ` ${outside} points at negative slip are left of the curves: include braking to see them.` : ""));
+  }
+
+  /** What depends on the points over slip. */
+  function showPoints() {
+    const use = isReady() ? useOf(samples, mapping) : "This table cannot be used yet.";
+    status.textContent = `${use} Cells are parted by ${table.separator}, decimals by ${table.decimal}.`;
+    identification.show(data() !== null);
+    byId("measurements-residuals").hidden = data() === null;
+    onData();
+    if (series) compare(series);
   }
 
   function take() {
     samples = samplesOf(table, mapping);
     section.dataset.state = isReady() ? "ready" : "refused";
     tellFaults(samples.faults);
-    const wrong = new Set(table.faults.filter(({ column }) => mapping[column]).map(({ line, column }) => `${line} ${column}`));
-    for (const cell of byId("measurements-preview").querySelectorAll("[data-cell]")) cell.classList.toggle("wrong", wrong.has(cell.dataset.cell));
-    const left = samples.left ? `; ${samples.left} without a number in every chosen column are left out` : "";
-    const count = samples.lines.length;
-    const use = isReady() ? `${count} ${count === 1 ? "row" : "rows"} to be used${left}.` : "This table cannot be used yet.";
-    status.textContent = `${use} Cells are parted by ${table.separator}, decimals by ${table.decimal}.`;
-    identification.show(isReady());
-    byId("measurements-residuals").hidden = !isReady();
-    onData();
-    if (series) compare(series);
+    markWrong(byId("measurements-preview"), table, mapping);
+    telemetry.show(isReady() && samples.track !== null);
+    showPoints();
   }
 
   function clear() {
@@ -107,6 +100,7 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
     status.textContent = "";
     tellFaults([]);
     identification.show(false);
+    telemetry.show(false);
   }
 
   async function read(file) {
@@ -129,12 +123,10 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
       return;
     }
     mapping = guessColumns(table.columns);
-    const selects = table.columns.map(({ heading }, column) => columnSelect(column, heading, mapping[column]));
-    selects.forEach((select, column) => select.addEventListener("change", () => {
-      mapping[column] = choiceFrom(select.value);
+    byId("measurements-preview").replaceChildren(mappingTable(table, mapping, (column, mapped) => {
+      mapping[column] = mapped;
       take();
     }));
-    byId("measurements-preview").replaceChildren(previewTable(table, selects));
     for (const id of ["measurements-preview", "measurements-clear"]) byId(id).hidden = false;
     take();
   }

@@ -1,7 +1,8 @@
 // The catalogue on the page: the lists of wheels and soils, and where the values of the chosen ones come from.
 
 import { html } from "./elements.js";
-import { FIELDS } from "./fields.js";
+import { FIELDS, fieldText } from "./fields.js";
+import { siFromText } from "./typed.js";
 
 const KIND_NAMES = { paper: "From a paper", flight: "Flight wheels", test: "Test wheels" };
 const UNITS = { _n_m3: "N/m³", _pa: "Pa", _rad: "rad", _n: "N", _m: "m" };
@@ -72,6 +73,19 @@ function isNew(element, entry) {
 export function showGrade(element, entry, originId) {
   if (!isNew(element, entry)) return;
   element.replaceChildren(html("p", {}, ...gradeBadge(entry), html("a", { href: `#${originId}` }, "Source and notes")), ...gaps(entry));
+}
+
+const LOAD = FIELDS.find(({ name }) => name === "normal_load");
+
+/** Offers the load that the catalogue has for the wheel, unless it is the one that is set. */
+export function showNominalLoad(element, state, { wheel }) {
+  const nominal = wheel?.values.nominal_load_n?.value ?? null;
+  const isSet = state.by === "load" && (state[LOAD.key] === null || siFromText(LOAD, state[LOAD.key]) === nominal);
+  element.hidden = nominal === null || isSet;
+  if (nominal === null) return;
+  const text = `${fieldText(LOAD, nominal)}\u00a0${LOAD.unit.text}`;
+  element.querySelector("span").textContent = `Published load of this wheel: ${text}. `;
+  element.querySelector("button").textContent = `Use ${text}`;
 }
 
 /** Source, note and every value with where it comes from. */

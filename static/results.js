@@ -82,6 +82,12 @@ export function showWarnings(list, warnings) {
   list.hidden = warnings.length === 0;
 }
 
+/** On a narrow page the warnings come below the controls, so the results at its top lead there. */
+export function showWarningsLink(link, { length }) {
+  link.textContent = length === 1 ? "1 warning about these results" : `${length} warnings about these results`;
+  link.hidden = length === 0;
+}
+
 export function createAnnouncer(element) {
   let timer = null;
   return (forces) => {

@@ -1,6 +1,7 @@
 // From the person's choices and the catalogue to the bodies of the API's requests.
 
-import { FIELDS, baseText, fieldText, siFromText, typingAdvice } from "./fields.js";
+import { FIELDS, baseText, fieldText } from "./fields.js";
+import { siFromText, typingAdvice } from "./typed.js";
 
 const PROFILE_POINTS = 201;
 const SWEEP_POINTS = 101;
@@ -102,6 +103,8 @@ export function settingsOf(state, catalogue) {
 
   return {
     unreadable,
+    law: context.law,
+    isLacking: active.some((field) => !field.blank && valueOf(field) === undefined),
     common,
     slip: complete(["slip"]).slip,
     given: {
@@ -125,7 +128,8 @@ export function settingsOf(state, catalogue) {
   };
 }
 
-function options(settings, method) {
+/** The options that a method has a use for. */
+export function options(settings, method) {
   return {
     ...(settings.normalStressRadius !== "rim" && { normal_stress_radius: settings.normalStressRadius }),
     ...(settings.peakSinkage && CLOSED_FORMS.includes(method) && { peak_sinkage: settings.peakSinkage }),
@@ -146,11 +150,6 @@ export function compareBody(settings) {
 
 export function forcesBody(settings, method) {
   return { ...settings.common, slip: settings.slip, ...settings.given, ...settings.brakingLaw, ...settings.slipAngle, method, ...options(settings, method) };
-}
-
-/** `data` are measurements; what is on the page is what is known beside them, and where the search begins. */
-export function identifyBody(settings, fit, data) {
-  return { ...settings.common, method: settings.method, ...options(settings, settings.method), fit, data };
 }
 
 /** The changes of state that put a soil and a contact of the API into the controls. */

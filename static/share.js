@@ -52,11 +52,18 @@ export function connectCopy(button, text) {
   onClick(button, "Copied", () => copyText(text()));
 }
 
+/** `asked()` gives what was asked for, of which wheel and soil, and `text()` the file's content. */
+export function connectFile(button, asked) {
+  onClick(button, "Saved", async () => {
+    const { what, wheel, soil, text } = asked();
+    saveFile(`${[what, wheel.preset, soil.preset].join("_")}.csv`, await text(), "text/csv");
+  });
+}
+
 /** `request()` gives the path and the body whose answer is on the page, so that the file holds what is shown. */
 export function connectCsv(button, request) {
-  onClick(button, "Saved", async () => {
+  connectFile(button, () => {
     const { path, body } = request();
-    const name = [path.split("/").at(-1), body.wheel.preset, body.soil.preset].join("_");
-    saveFile(`${name}.csv`, await postForCsv(path, body), "text/csv");
+    return { what: path.split("/").at(-1), ...body, text: () => postForCsv(path, body) };
   });
 }

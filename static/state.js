@@ -5,6 +5,7 @@
 // ?wheel=msl-curiosity&soil=wong-dry-sand&by=load&slip_pct=30&c_kpa=0.5
 
 import { FIELDS } from "./fields.js";
+import { siFromText, taken } from "./typed.js";
 
 const CHOICES = {
   wheel: "letter",
@@ -40,10 +41,24 @@ export function offeredState(state, offers) {
   return { state: { ...state, ...replaced }, unknown: unknown.map((key) => ({ key, value: state[key] })) };
 }
 
+const SLIP = FIELDS.find(({ name }) => name === "slip");
+
+/** A wheel that is set to brake is looked at while it brakes. */
+export function consistent(state) {
+  const isBraking = state[SLIP.key] !== null && siFromText(SLIP, state[SLIP.key]) < 0;
+  return isBraking && state.braking === "" ? { ...state, braking: "1" } : state;
+}
+
+/** Who leaves braking out leaves a braking slip as well. */
+export const withoutBraking = (state) => (consistent(state) === state ? {} : { [SLIP.key]: "0" });
+
+/** What is no number stays in its box and out of the address. */
 export function queryFromState(state) {
   const query = new URLSearchParams();
   for (const [key, usual] of Object.entries(DEFAULTS)) {
-    if (state[key] !== usual) query.set(key, state[key]);
+    const field = FIELDS.find((each) => each.key === key);
+    const value = field && state[key] !== null ? taken(field, state[key]) : state[key];
+    if (value !== null && value !== usual) query.set(key, value);
   }
   const text = query.toString();
   return text ? `?${text}` : "";

@@ -1,11 +1,13 @@
 // The line that says whether the results match the inputs, and if not, why.
 
-import { html } from "./elements.js";
+import { html, sentenceHtml } from "./elements.js";
+import { faultOf } from "./wording.js";
 
 /** Each fault behind the name of its input, which leads there: the input may be scrolled out of sight. */
 function describedFault({ pointer, text, input }) {
-  if (!input) return html("span", {}, pointer ? `${pointer}: ${text}` : text);
-  return html("span", {}, html("a", { href: `#${input.id}` }, input.labels[0].textContent.trim()), `: ${text}`);
+  if (!input) return html("span", {}, ...sentenceHtml(faultOf(pointer, text)));
+  const label = input.labels[0].textContent.trim();
+  return html("span", {}, html("a", { href: `#${input.id}` }, label), ...sentenceHtml(faultOf(label, text).slice(label.length)));
 }
 
 /** `app` carries the state for style sheet and tests, `line` the words. */

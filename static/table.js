@@ -1,8 +1,8 @@
 // A table of numbers as text, as instruments and spreadsheets of any country write it: comma, semicolon or tab between the
 // cells, decimal point or comma, a byte order mark, any line ends, comments, and a row of units below the heading.
 
-/** What the service takes in one request. */
-const MOST_ROWS = 10_001;
+/** What the service takes in one request of a track whose answer comes in columns. */
+const MOST_ROWS = 100_000;
 const SEPARATORS = ["\t", ";", ","];
 const SEPARATOR_NAMES = { "\t": "tab", ";": "semicolon", ",": "comma" };
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;

@@ -28,12 +28,28 @@ export function worded(detail) {
   return outsideQuotes(detail, (part) => part.replace(WITH_UNIT, (_, number, unit) => inUnit(number, UNITS[unit])));
 }
 
-/** A fault at a field: numbers without a unit are the field's own, so a bound is told in the unit the field shows. */
-export function wordedFault(detail, field) {
-  const text = worded(detail);
+const RANGE = new RegExp(`^must be from (${NUMBER}) to (${NUMBER}), not (${NUMBER})$`, "u");
+
+/** Metres typed where millimetres are asked for. */
+function metresHint(detail, unit) {
+  const [from, to, typed] = (RANGE.exec(detail) ?? []).slice(1).map(Number);
+  const metres = unit.fromSi(typed);
+  return unit.text === "mm" && metres >= from && metres <= to ? `; ${metres}\u00a0m are ${inUnit(String(metres), unit)}` : "";
+}
+
+/**
+ * A fault at a field: numbers without a unit are the field's own, so a bound is told in the unit the field shows. What the API
+ * advises after it is about its own unit, which the field does not show.
+ */
+export function wordedFault(told, field) {
   const unit = field?.unit;
-  if (!unit?.si || text !== detail) return text;
-  if (/\bmust\b/.test(detail)) return outsideQuotes(detail, (part) => part.replace(BARE_NUMBER, (number) => inUnit(number, unit)));
+  if (!unit?.si) return worded(told);
+  const detail = /^must\b/.test(told) ? told.split("; ")[0] : told;
+  const text = worded(detail);
+  if (text !== detail) return text;
+  if (/\bmust\b/.test(detail)) {
+    return outsideQuotes(detail, (part) => part.replace(BARE_NUMBER, (number) => inUnit(number, unit))) + metresHint(detail, unit);
+  }
   let hasNumber = false;
   outsideQuotes(detail, (part) => {
     hasNumber ||= part.search(BARE_NUMBER) >= 0;
@@ -41,6 +57,9 @@ export function wordedFault(detail, field) {
   });
   return hasNumber ? `${detail} (${unit.si})` : detail;
 }
+
+/** A fault with what it is about before it: some begin with the verb. */
+export const faultOf = (subject, text) => (subject ? `${subject}${/^(is|are|must|has|have|needs?|does|cannot|lies) /.test(text) ? "" : ":"} ${text}` : text);
 
 /** A warning about points of a sweep: they are told by their slips, as the charts have no rows, and fields by their labels. */
 export function wordedWarning(detail, slips) {

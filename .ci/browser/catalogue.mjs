@@ -38,6 +38,24 @@ check("entries without a kind stand on their own", async (page) => {
   assert.ok(options.every(({ group }) => group !== "undefined" && group !== "Undefined"), JSON.stringify(options));
 });
 
+check("the load that was published for a wheel is offered where loads are given", async (page) => {
+  const wheel = (await catalogue("wheels")).find(({ id }) => id === "zhurong");
+  const nominal = wheel.values.nominal_load_n.value;
+  await open(page, "?wheel=zhurong");
+  assert.ok((await page.innerText("#nominal-load")).includes(`${nominal}\u00a0N`), await page.innerText("#nominal-load"));
+  await page.click("#nominal-load button");
+  await ready(page);
+  assert.equal((await assertAnswered(page)).normal_load_n, nominal);
+  assert.ok(await page.isHidden("#nominal-load"), "it is set already");
+  await box(page, "normal_load").fill("100");
+  await ready(page);
+  await page.click("#nominal-load button");
+  await ready(page);
+  assert.equal(await box(page, "normal_load").inputValue(), String(nominal));
+  await open(page, "?wheel=letter&by=load");
+  assert.ok(await page.isHidden("#nominal-load"), "nothing is published for the letter's wheel");
+});
+
 check("a soil without its moduli asks for each at its field", async (page) => {
   // As if the catalogue had the law of this soil, but not its moduli.
   await page.route("**/v1/soils", async (route) => {

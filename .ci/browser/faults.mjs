@@ -8,8 +8,9 @@ const NUMBER = /(?<![\w.])-?\d+(?:\.\d+)?(?:e-?\d+)?/g;
 /** Six digits are shown. */
 const SHOWN_PRECISION = 1e-5;
 
-/** The service's sentence with its numbers in another unit, each with the unit beside it. */
-function assertConverted(shown, { detail, unit, perSi }) {
+/** The service's sentence with its numbers in another unit, each with the unit beside it; what it advises on its own unit is left out. */
+function assertConverted(shown, { detail: sentence, unit, perSi }) {
+  const [detail] = sentence.split("; ");
   const plain = shown.replaceAll("\u00a0", " ");
   const numbers = [...plain.matchAll(NUMBER)];
   const expected = detail.match(NUMBER).map((number) => Number(number) * perSi);
@@ -93,13 +94,66 @@ check("lengths within a sentence are told in millimetres", async (page) => {
 check("a comma is not guessed at", async (page) => {
   await open(page);
   const before = await results(page);
-  for (const [text, told] of [["1,000", "type 1000 or 1.000"], ["12,5", "without a comma: 12.5"], ["1,000,000", "without a comma: 1000000"]]) {
+  for (const [text, told] of [["1,000", "type 1000 or 1.000"], ["1,000.5", "commas between thousands: 1000.5"], ["1,000,000", "commas between thousands: 1000000"], ["1.000,5", "with one decimal sign and nothing between thousands"]]) {
     await box(page, "width").fill(text);
     await assertFault(page, { name: "width", pointer: "/wheel/width_m", told });
     assert.deepEqual(await results(page), before);
+    await page.click("#copy-link");
+    assert.equal(new URL(page.url()).search, "", "what is no number does not get into the address");
   }
   await box(page, "width").fill("100");
   await assertHealed(page, { name: "width", pointer: "/wheel/width_m" });
+});
+
+check("a comma may part the decimals", async (page) => {
+  await open(page);
+  for (const [text, pascals, address] of [["1,04", 1040, "1.04"], ["0,125", 125, "0.125"], [",5", 500, ".5"]]) {
+    await box(page, "cohesion").fill(text);
+    await ready(page);
+    assert.equal((await curlBody(page)).soil.cohesion_pa, pascals);
+    assert.equal(await box(page, "cohesion").inputValue(), text, "the text stays as it was typed");
+    await page.click("#copy-link");
+    assert.equal(new URL(page.url()).searchParams.get("c_kpa"), address);
+  }
+  await box(page, "slip").fill("12,5");
+  await ready(page);
+  assert.equal(await page.inputValue('[data-slider="slip"]'), "13", "the slider has steps of one per cent");
+  await box(page, "slip").press("ArrowUp");
+  await ready(page);
+  assert.equal((await curlBody(page)).slip, 0.135);
+}, { context: { permissions: ["clipboard-write"] } });
+
+/** What the page says of a value out of its range: the range in the unit of the box, and no other advice. */
+const OUT_OF_RANGE = [
+  ["slip", "/slip", "200", "must be from -100 % to 100 %, not 200 %"],
+  ["friction_angle", "/soil/friction_angle_rad", "95", "must be at least 0° and less than 90°, not 95°"],
+  ["radius", "/wheel/radius_m", "0.125", "must be from 1 mm to 100000 mm, not 0.125 mm; 0.125 m are 125 mm"],
+  ["radius", "/wheel/radius_m", "0.0000125", "must be from 1 mm to 100000 mm, not 0.0000125 mm"],
+];
+
+check("a value out of its range is told the range", async (page) => {
+  await open(page);
+  for (const [name, pointer, text, expected] of OUT_OF_RANGE) {
+    await box(page, name).fill(text);
+    await faulty(page);
+    const told = await page.innerText(`[data-fault="${pointer}"]`);
+    assert.equal(told.replaceAll("\u00a0", " ").replace("1.25e-5", "0.0000125"), expected);
+    await page.click("#reset-all");
+    await ready(page);
+  }
+}, { refused: true });
+
+check("a slip that brakes and the tick for braking go together", async (page) => {
+  await open(page);
+  await box(page, "slip").fill("-20");
+  await ready(page);
+  assert.ok(await page.isChecked("#braking"));
+  assert.equal(await page.inputValue('[data-slider="slip"]'), "-20");
+  await page.uncheck("#braking");
+  await ready(page);
+  assert.equal((await curlBody(page)).slip, 0);
+  await open(page, "?slip_pct=-20");
+  assert.ok(await page.isChecked("#braking"), "from an address as well");
 });
 
 check("the request of former inputs cannot be taken for that of these", async (page) => {
@@ -156,8 +210,13 @@ check("a soil without a shear modulus asks for one", async (page) => {
   await open(page);
   const soil = { preset: "robomech2020-sand" };
   const told = await faultOf({ ...LETTER, soil }, "/soil/shear_modulus_m");
+  const refused = [];
+  page.on("response", (response) => { if (response.status() === 422) refused.push(response.url()); });
   await page.selectOption("#soil", soil.preset);
-  await assertFault(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m", told });
+  await assertFault(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m", told: told.replaceAll("`", "") });
+  assert.match(await page.innerText("#status"), /^Shear modulus K is required: /);
+  assert.equal(await page.locator("#status code").count(), 1, "the quoted name stands as code");
+  assert.deepEqual(refused.map((url) => new URL(url).pathname), ["/v1/forces"], "what is wanting is asked for once");
   await box(page, "shear_modulus").fill("10");
   await assertHealed(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m" });
   assert.deepEqual((await curlBody(page)).soil, { ...soil, shear_modulus_m: 0.01 });

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { LETTER, ask } from "./support/api.mjs";
 import { paths } from "./support/chart.mjs";
 import { check, run } from "./support/checks.mjs";
+import { chosen, dropFile, faults, pointsIn, state } from "./support/measurements.mjs";
 import { curlBody, open, ready } from "./support/page.mjs";
 
 const FRICTION_RAD = 0.55;
@@ -24,24 +25,6 @@ async function germanTable() {
   }
   return `\uFEFF${lines.join("\r\n")}\r\n`;
 }
-
-/** Drops a file on the section as a person does with the mouse, and waits until it is read. */
-async function dropFile(page, text) {
-  const transfer = await page.evaluateHandle((content) => {
-    const carried = new DataTransfer();
-    carried.items.add(new File([content], "test.csv", { type: "text/csv" }));
-    return carried;
-  }, text);
-  await page.dispatchEvent("#measurements-drop", "drop", { dataTransfer: transfer });
-  await page.waitForFunction(() => ["ready", "refused"].includes(document.querySelector("#measurements").dataset.state));
-}
-
-/** How many points a chart shows: each begins its circle with a move. */
-const pointsIn = (page, chart) => page.$$eval(`${chart} path.point[data-style="measured"]`, (found) => found.reduce((sum, path) => sum + path.getAttribute("d").split("M").length - 1, 0));
-
-const faults = (page) => page.$$eval("#measurements-faults li", (items) => items.map(({ textContent }) => textContent));
-const chosen = (page) => page.$$eval("#measurements [data-column]", (selects) => selects.map(({ value }) => value));
-const state = (page) => page.getAttribute("#measurements", "data-state");
 
 check("a dropped table is fitted on demand, and its soil becomes the page's", async (page) => {
   const table = await germanTable();
@@ -68,6 +51,16 @@ check("a dropped table is fitted on demand, and its soil becomes the page's", as
   const found = Number(await page.getAttribute('[data-estimate="friction_angle_rad"]', "data-value"));
   assert.ok(Math.abs(found - FRICTION_RAD) < FRICTION_TOLERANCE_RAD, `finds ${found} rad`);
   assert.ok((await page.innerText("#fit-result")).includes("31.5"), "the angle is told in degrees");
+
+  const held = await page.$$eval("[data-held]", (items) => Object.fromEntries(items.map(({ dataset }) => [dataset.held, Number(dataset.value)])));
+  assert.deepEqual(held, { cohesion: 0, n1: 0, c3: 0 }, "what the search held is listed");
+  for (const chart of ["#residual-longitudinal-force-n-chart", "#residual-normal-force-n-chart", "#residual-torque-n-m-chart"]) {
+    assert.equal(await pointsIn(page, chart), 3 * SLIPS.length, chart);
+  }
+  await page.click("#residual-rows summary");
+  const torques = await page.$$eval('[data-residual="torque_n_m"]', (cells) => cells.map((cell) => [cell.previousElementSibling, cell].map(({ dataset }) => Number(dataset.value))));
+  assert.equal(torques.length, 3 * SLIPS.length);
+  for (const [predicted, residual] of torques) assert.ok(Math.abs(residual) < 1e-3 * predicted, `${residual} N·m of ${predicted} N·m is left by the soil that made the points`);
 
   await page.click("#use-soil");
   await ready(page);
@@ -120,6 +113,22 @@ check("what the service refuses is told at the line of the file", async (page) =
   assert.match(await page.innerText("#fit-status"), /^Line 4 of the file, sinkage:/);
 }, { refused: true });
 
+check("own values of Bekker's law give way to the direct law as a preset's do, and this is said", async (page) => {
+  await open(page, "?kc=0.99&kphi=1528.43&n0=1.1&radius_mm=125");
+  const { columns } = await ask("/v1/slip-sweep", { ...LETTER, wheel: { preset: "letter", radius_m: 0.125 }, slip: SLIPS });
+  await dropFile(page, ["slip,z mm,Fx N,Fz N,T", ...SLIPS.map((slip, row) =>
+    [slip, 20, columns.longitudinal_force_n[row], columns.normal_force_n[row], columns.torque_n_m[row]].join(","))].join("\n"));
+  assert.deepEqual(await chosen(page), ["slip –", "sinkage_m mm", "longitudinal_force_n N", "normal_force_n N", "torque_n_m N·m"]);
+  await page.click("#fit-soil");
+  await page.waitForSelector('#identification[data-state="fitted"], #identification[data-state="failed"]');
+  assert.equal(await page.getAttribute("#identification", "data-state"), "fitted", await page.innerText("#fit-status"));
+  assert.equal(await page.locator('#fit-warnings [data-warning="law_replaced"]').count(), 1, await page.innerText("#fit-warnings"));
+  assert.ok(!(await page.innerText("#identification")).includes("`"));
+  await page.check('[data-fit="k_c"]');
+  await page.click("#fit-soil");
+  assert.match(await page.innerText("#fit-status"), /^Untick the sinkage modulus K_s, or the cohesive modulus/);
+});
+
 check("a search can be cancelled", async (page) => {
   await open(page);
   await page.route("**/v1/identify", () => {});
@@ -138,6 +147,9 @@ check("the section fits on a narrow screen", async (page) => {
   await page.click("#fit-soil");
   await page.waitForSelector('#identification[data-state="fitted"]');
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  const { scrollWidth, clientWidth } = await page.$eval("#fit-result", ({ scrollWidth, clientWidth }) => ({ scrollWidth, clientWidth }));
+  assert.ok(scrollWidth <= clientWidth, `the estimates are ${scrollWidth} px wide in ${clientWidth} px`);
+  assert.ok((await page.innerText("#fit-result")).includes("Do the data determine it?") === false, "the headings give way to those of the cells");
 }, { context: { viewport: { width: 390, height: 844 } } });
 
 await run();

@@ -20,6 +20,7 @@ check("the link opens the equations and errata in readable form", async (page) =
   const text = await page.innerText("#model");
   for (const { code } of model.warnings) assert.ok(text.includes(code), `${code} is explained`);
   for (const { reason } of model.errata.filter((each) => !/[_^\d]/.test(each.reason))) assert.ok(text.includes(reason), reason);
+  assert.ok(!text.includes("`") && await page.locator("#model-conventions code").count() > 0, "names of the API stand as code");
   assert.doesNotMatch(text, /undefined|\[object|[{}"]pointer/);
   await page.keyboard.press("Escape");
   assert.ok(await page.isHidden("#model"), "Escape closes it");

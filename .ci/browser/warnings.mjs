@@ -36,6 +36,22 @@ check("a warning stands once, with the names that it quotes as code", async (pag
   assert.ok(!(await page.innerText("#warnings")).includes("`"));
 });
 
+check("on a narrow screen the results lead to their warnings, and the most urgent one comes first", async (page) => {
+  const told = { code: "outside_catalogue", detail: "a warning of the check" };
+  await page.route("**/v1/forces", async (route) => {
+    const response = await route.fetch();
+    const answer = await response.json();
+    await route.fulfill({ response, json: { ...answer, warnings: [...answer.warnings, told] } });
+  });
+  await open(page);
+  const { warnings } = await ask("/v1/forces", LETTER);
+  assert.deepEqual(await codesIn(page, "#warnings"), [told.code, ...warnings.map(({ code }) => code)]);
+  assert.equal(await page.innerText("#warnings-link"), `${warnings.length + 1} warnings about these results`);
+  await page.click("#warnings-link");
+  const { top, bottom } = await page.$eval("#warnings", (list) => list.getBoundingClientRect());
+  assert.ok(top >= 0 && bottom <= 844, `the warnings are at ${top} px`);
+}, { context: { viewport: { width: 390, height: 844 } } });
+
 check("slips without a solution are told as slips, with the methods", async (page) => {
   const load = 850;
   await open(page, `?by=load&load_n=${load}&compare=1&braking=1`);
