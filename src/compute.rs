@@ -192,8 +192,13 @@ pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, P
         Format::Csv => {
             let mut response = csv_text(csv(&reply.columns()));
             let headers = response.headers_mut();
-            // A table has no place for warnings, so their codes travel beside it.
-            let codes: Vec<&str> = reply.warnings().iter().map(|warning| warning.code).collect();
+            // A table has no place for warnings, so their codes travel beside it, each once.
+            let mut codes: Vec<&str> = Vec::new();
+            for warning in reply.warnings() {
+                if !codes.contains(&warning.code) {
+                    codes.push(warning.code);
+                }
+            }
             if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))
                 && !codes.is_empty()
             {

@@ -218,8 +218,9 @@ fn a_table_names_its_columns_by_method() {
     assert_eq!(columns.len(), 21);
     assert_eq!((names[0], names[1], names[20]), ("slip", "explicit.sinkage_m", "quadrature.tractive_efficiency"));
     let variants = json!([{"name": "9\" wheel, lugs", "contact": {"rule": "half_sinkage"}}]);
-    let text = post_for_csv("/v1/compare", &comparison(json!({"methods": ["explicit"], "variants": variants}))).text;
-    let header = text.lines().next().expect("a header");
+    let answer = post_for_csv("/v1/compare", &comparison(json!({"methods": ["explicit"], "variants": variants})));
+    assert_eq!(answer.header("x-warnings"), "small_wheel");
+    let header = answer.text.lines().next().expect("a header");
     assert!(header.ends_with(",\"9\"\" wheel, lugs.explicit.tractive_efficiency\""), "{header}");
 }
 
