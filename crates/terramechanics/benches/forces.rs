@@ -107,7 +107,13 @@ fn track_1000_static_sinkage(bencher: Bencher<'_, '_>, method: &str) {
     let samples: Vec<Sample> = (0..1000)
         .map(|i| {
             let velocities = Velocities { forward: 0.1 + 0.05 * (f64::from(i) / 70.0).sin(), angular: 0.9 };
-            Sample { time: f64::from(i), motion: SampleMotion::Velocities(velocities), sinkage, measured: None }
+            Sample {
+                time: f64::from(i),
+                motion: SampleMotion::Velocities(velocities),
+                sinkage,
+                measured: None,
+                unreadable: false,
+            }
         })
         .collect();
     let tracker = Tracker::new(operation(method, sinkage), Thresholds::default()).expect("thresholds");
