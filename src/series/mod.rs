@@ -10,6 +10,7 @@ use csv::CsvReader;
 pub(crate) use csv::all as all_of_csv;
 use ndjson::NdjsonReader;
 pub(crate) use run::Run;
+use writer::strength_cells;
 use writer::{Ending, RowFormat, Table};
 pub(crate) use writer::{NUMBERS, StrengthCells, numbers};
 

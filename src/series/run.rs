@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 
 use axum::body::Bytes;
-use terramechanics::{Measured, Operation, Sample, SampleMotion, Slip, TrackRow, Tracker};
-use terramechanics_identification::{RollingSample, RunningStrength};
+use terramechanics::{Operation, Tracker};
+use terramechanics_identification::RunningStrength;
 
-use super::{Column, Ending, NdjsonReader, Read, Reader, RowFormat, StrengthCells, Table};
+use super::{Column, Ending, NdjsonReader, Read, Reader, RowFormat, Table, strength_cells};
 use crate::compute::Cost;
 use crate::extract::SeriesForm;
 use crate::problem::Problem;
@@ -123,34 +123,11 @@ impl Run {
     }
 }
 
-/// The estimate after a sample; one without a result, a torque or a load leaves it as it was.
-fn running_strength(running: &mut RunningStrength, sample: &Sample, row: &TrackRow) -> StrengthCells {
-    if let (true, Some(Measured { torque, normal_load }), Ok(slip)) = (row.status.is_good(), sample.measured, Slip::new(row.slip))
-        && torque.is_finite()
-        && normal_load > 0.0
-    {
-        // A wheel that moves backwards is the mirror image: its torque drives it the other way.
-        let backward = matches!(sample.motion, SampleMotion::Velocities(of) if of.forward < 0.0 || of.angular < 0.0);
-        let torque = if backward { -torque } else { torque };
-        // The row has a sinkage within the wheel, so that the sample is taken or mobilises too little to be of use.
-        let _ = running.take(&RollingSample { slip, sinkage: row.sinkage, load: normal_load, torque });
-    }
-    running.estimate().map_or([f64::NAN; 5], |estimate| {
-        [
-            estimate.cohesion,
-            estimate.tan_friction,
-            estimate.cohesion_variance,
-            estimate.tan_friction_variance,
-            estimate.covariance,
-        ]
-    })
-}
-
 impl Started {
     fn row(&mut self, cells: &super::Cells, output: &mut Vec<u8>) -> Result<(), Problem> {
         let sample = self.plan.sample(cells);
         let row = self.tracker.push(&sample);
-        let strength = self.strength.as_mut().map(|running| running_strength(running, &sample, &row));
+        let strength = self.strength.as_mut().map(|running| strength_cells(running.follow(&sample, &row)));
         match &mut self.sink {
             Sink::Rows(table) => table.row(&row, strength.as_ref(), output),
             Sink::Columns(_) if self.tracker.rows() > MOST_IN_COLUMNS => {
@@ -165,7 +142,7 @@ impl Started {
 
     fn end(&mut self, output: &mut Vec<u8>) -> Result<(), Problem> {
         self.tracker.finish();
-        let findings = Findings::of(&self.tracker, &self.plan);
+        let findings = Findings::of(&self.tracker, &self.plan, self.strength.as_ref());
         match &mut self.sink {
             Sink::Rows(table) => {
                 let Findings { rows, events, warnings } = &findings;
