@@ -66,7 +66,11 @@ impl Cost {
     /// Of an identification: a line through the samples, or a search that may spend its evaluations.
     pub(crate) fn of_identification(query: &IdentifyQuery) -> Self {
         match query {
-            IdentifyQuery::Linear(query) => Self(query.observations.slip.len() as f64 * 2_000.0),
+            IdentifyQuery::Linear(query) => {
+                // With a law, the quadrature a few times for each sample.
+                let each = if query.law_known { 100_000.0 } else { 2_000.0 };
+                Self(query.observations.slip.len() as f64 * each)
+            }
             IdentifyQuery::Fit(query) => Self(query.options.evaluations as f64 * 200.0),
         }
     }

@@ -193,6 +193,8 @@ mod tests {
             "model_misfit",
             "law_replaced",
             "samples_left_out",
+            "linearised_stresses",
+            "model_bias",
             "fitted_k_c_negative",
             "exponents_differ",
             "law_not_usable",

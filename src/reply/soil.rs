@@ -16,7 +16,10 @@ pub(super) struct SoilBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     shear_modulus_m: Option<f64>,
-    pressure_sinkage: LawBody,
+    /// Pressure–sinkage law, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pressure_sinkage: Option<LawBody>,
     /// Shear law, where it is another than Janosi–Hanamoto's.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
@@ -137,11 +140,18 @@ impl From<&SoilParams> for SoilBody {
             cohesion_pa,
             friction_angle_rad,
             shear_modulus_m,
-            pressure_sinkage,
+            pressure_sinkage: Some(pressure_sinkage),
             shear,
             lateral_shear_modulus_m,
             unit_weight_n_m3,
         }
+    }
+}
+
+impl SoilBody {
+    /// The soil as it is where its pressure–sinkage law is not known.
+    pub(super) fn without_law(self) -> Self {
+        Self { pressure_sinkage: None, ..self }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use terramechanics::{CautionTally, Channel, CulpritTally, Event, Status, Tally, TrackRow, Tracker};
+use terramechanics_identification::{RunningStrength, StrengthTally};
 use utoipa::ToSchema;
 
 use super::{Column, Warning};
@@ -58,7 +59,7 @@ struct TrackColumns {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     longitudinal_force_coupled_n: Option<Column>,
-    /// With `strength`: cohesion c (Pa) of the line through the samples so far; null until they determine one.
+    /// With `strength`: cohesion c (Pa) of the line through the samples so far; null until two of them differ.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     cohesion_pa: Option<Column>,
@@ -66,15 +67,15 @@ struct TrackColumns {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     tan_friction: Option<Column>,
-    /// With `strength`: variance of c (Pa²).
+    /// With `strength`: variance of c (Pa²) from noise in the samples; null with fewer than three, and while c is held at 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     cohesion_variance_pa2: Option<Column>,
-    /// With `strength`: variance of tan φ (–).
+    /// With `strength`: variance of tan φ (–), null as above.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     tan_friction_variance: Option<Column>,
-    /// With `strength`: covariance of c and tan φ (Pa).
+    /// With `strength`: covariance of c and tan φ (Pa), null as above.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Vec<Option<f64>>>, nullable = false)]
     cohesion_tan_friction_covariance_pa: Option<Column>,
@@ -174,7 +175,7 @@ pub(crate) struct Findings {
 
 impl Findings {
     /// The findings of a run that has ended.
-    pub(crate) fn of(tracker: &Tracker, plan: &TrackPlan, unreadable: &Unreadable) -> Self {
+    pub(crate) fn of(tracker: &Tracker, plan: &TrackPlan, unreadable: &Unreadable, strength: Option<&RunningStrength>) -> Self {
         let mut warnings = Vec::new();
         warnings.extend(unreadable.first.as_ref().map(|first| unread(tracker, unreadable.count, first)));
         for status in Status::ALL.into_iter().filter(|status| !status.is_good() && *status != Status::Unreadable) {
@@ -199,12 +200,42 @@ impl Findings {
         if tracker.has_moved_backward() {
             warnings.push(Warning::mirrored());
         }
+        warnings.extend(strength.into_iter().flat_map(|running| of_strength(running.tally())));
         let (events, left_out) = tracker.events();
         if left_out > 0 {
             warnings.push(Warning::new("events_left_out", format!("{left_out} more events are not listed")));
         }
         Self { rows: tracker.rows(), events: events.iter().map(EventReply::from).collect(), warnings }
     }
+}
+
+/// What the samples do not tell of the strength.
+fn of_strength(tally: &StrengthTally) -> impl Iterator<Item = Warning> + use<> {
+    let StrengthTally { estimates, one_load, one_slip, no_cohesion, no_friction } = *tally;
+    let counted = move |code: &'static str, count: u64, what: &str| {
+        (count > 0).then(|| Warning::new(code, format!("in {count} of {estimates} rows with an estimate {what}")))
+    };
+    let none = (estimates == 0).then(|| {
+        let detail = "no two samples that mobilise enough of the strength differ in their normal stress: there is no estimate";
+        Warning::new("not_identifiable", detail)
+    });
+    let found = [
+        Some(Warning::linearised_stresses()),
+        none,
+        counted(
+            "single_load",
+            one_load,
+            "the samples that are remembered have one load: nothing but the assumed shape of the stresses tells cohesion from friction",
+        ),
+        counted(
+            "single_slip",
+            one_slip,
+            "the samples that are remembered have one slip: a wrong shear_modulus_m changes both estimates by one factor and does not show",
+        ),
+        counted("at_bound", no_cohesion, "cohesion_pa is held at its lower bound 0, and has no variance"),
+        counted("at_bound", no_friction, "tan_friction is held at its lower bound 0, and has no variance"),
+    ];
+    found.into_iter().flatten()
 }
 
 /// Cells that are no numbers, and the samples that have no result because of them.

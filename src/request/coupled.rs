@@ -14,7 +14,7 @@ const TORQUE: Number = Number::new(
 );
 
 wire_object! {
-    /// A wheel whose slip (`slip`, or both velocities), sinkage and load are measured, and maybe its torque. The soil's pressure–sinkage law cancels: it has no influence.
+    /// A wheel whose slip (`slip`, or both velocities), sinkage and load are measured, and maybe its torque. The soil's pressure–sinkage law cancels: it has no influence and may be left out.
     CoupledDto as "CoupledRequest" {
         wheel: WheelDto = operation::WHEEL,
         soil: SoilDto = operation::SOIL,
@@ -43,7 +43,7 @@ impl Request for CoupledDto {
 
     fn check(&self, place: &Scope<'_>) -> Option<CoupledQuery> {
         let wheel = self.wheel().required(place).and_then(|dto| dto.check(&place.field(self.wheel().name)));
-        let soil = self.soil().required(place).and_then(|dto| dto.check(&place.field(self.soil().name)));
+        let soil = self.soil().required(place).and_then(|dto| dto.with_any_law().0.check(&place.field(self.soil().name)));
         let contact = checked_contact(&self.contact(), place, soil.and_then(|(_, measured)| measured));
         let motion = MotionEntries {
             slip: self.slip(),

@@ -13,7 +13,7 @@ use crate::catalogue::{self, SoilRecord};
 use crate::wire::{Choice, Entry, Field, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 wire_object! {
-    /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
+    /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
     SoilDto as "Soil" {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
@@ -119,6 +119,22 @@ impl SoilDto {
     pub(super) fn with_laws(&self, shear: &Entry<'_, ShearDto>, pressure_sinkage: &Entry<'_, PressureSinkageDto>) -> Self {
         let (shear, pressure_sinkage) = (shear.or(&self.shear), pressure_sinkage.or(&self.pressure_sinkage));
         Self { shear, pressure_sinkage, ..self.clone() }
+    }
+
+    /// The soil with any law where neither it nor its preset has a pressure–sinkage law, for what that law cancels in; and whether
+    /// it has one of its own.
+    pub(super) fn with_any_law(&self) -> (Self, bool) {
+        let published = match &self.preset {
+            Field::Given(id) => catalogue::soil(id).is_some_and(|record| record.pressure_sinkage().is_some()),
+            Field::Absent | Field::Wrong(_) => false,
+        };
+        let mut soil = self.clone();
+        let is_known = self.pressure_sinkage().is_present() || published;
+        if !is_known {
+            let (law, k_s, n0) = (Field::Given("direct".to_owned()), Field::Given(1e6), Field::Given(1.0));
+            soil.pressure_sinkage = Field::Given(PressureSinkageDto { law, k_s, n0, ..Default::default() });
+        }
+        (soil, is_known)
     }
 
     /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.

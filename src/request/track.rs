@@ -1,15 +1,13 @@
 //! The request of `/v1/track`.
 
-use terramechanics::{
-    Measured, Operation, Sample, SampleMotion, ShearLaw, Sinkage, Thresholds, Tracker, Velocities, WheelOnSoil,
-};
+use terramechanics::{Measured, Operation, Sample, SampleMotion, ShearLaw, Sinkage, Thresholds, Tracker, Velocities};
 use terramechanics_identification::RunningStrength;
 
 use super::operation::{self, MethodEntries, OperationEntries};
 use super::series::Samples;
 use super::{ColumnsDto, ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto, collected};
 use crate::series::{Cells, Column, ExtraColumns, Layout};
-use crate::wire::{Choice, Entry, Field, FieldFault, Lambda, Nested, Number, Object, Scope, wire_object};
+use crate::wire::{Asked, AskedSpec, Choice, Entry, Field, FieldFault, Lambda, Nested, Number, Object, Scope, wire_object};
 
 const NORMAL_LOAD: Number = Number::new(
     "Vertical load W (N), unless it is a column; the sinkage is solved so that F_z = W where it is neither measured nor static.",
@@ -39,7 +37,10 @@ wire_object! {
         lambda_a: Lambda = operation::LAMBDA_A,
         lambda_b: Lambda = operation::LAMBDA_B,
         thresholds: ThresholdsDto = Nested::optional("When the wheel counts as stuck."),
-        strength: StrengthDto = Nested::optional("Asks for a running estimate of cohesion and friction from the measured torque and the load; needs the column torque_n_m."),
+        strength: Asked<StrengthDto> = AskedSpec {
+            doc: "Asks for a running estimate of cohesion and friction, for linear stresses, which bias both; true for its defaults. Needs the columns torque_n_m and sinkage_m, as measured, and a load.",
+            object: Nested::optional("The running estimate."),
+        },
         columns: ColumnsDto = Nested::required("The samples."),
         extra_columns: String = EXTRA_COLUMNS,
     }
@@ -54,14 +55,14 @@ wire_object! {
 
 impl StrengthDto {
     /// The estimate before the first sample, for a wheel on a soil whose shear modulus is known.
-    fn check(&self, system: &WheelOnSoil, place: &Scope<'_>) -> Option<RunningStrength> {
+    fn check(&self, operation: &Operation, place: &Scope<'_>) -> Option<RunningStrength> {
         self.report_oddities(place);
         let forgetting = self.forgetting_factor().or_default(place)?;
-        let ShearLaw::JanosiHanamoto(law) = system.soil.shear() else {
+        if !matches!(operation.system.soil.shear(), ShearLaw::JanosiHanamoto(_)) {
             place.fault("is known for the shear law janosi_hanamoto only");
             return None;
-        };
-        RunningStrength::new(system.wheel, law.modulus, forgetting)
+        }
+        RunningStrength::new(operation.system, operation.model.normal_stress_radius, forgetting)
     }
 }
 
@@ -161,7 +162,7 @@ impl TrackDto {
         let tracker = Tracker::new(operation, thresholds?).map_err(|invalid| place.fault(invalid)).ok()?;
         let strength = self.strength();
         let strength = if strength.is_present() {
-            Some(strength.given(place)?.check(&operation.system, &place.field(strength.name))?)
+            Some(strength.given(place)?.0.check(&operation, &place.field(strength.name))?)
         } else {
             None
         };
@@ -201,8 +202,17 @@ fn check_columns(layout: Layout, static_sinkage: bool, normal_load: bool, streng
         refuse(columns.field(Column::NormalLoad.name()), "is given beside the columns as well");
     }
     let normal_load = normal_load || has(Column::NormalLoad);
-    if strength && !(normal_load && has(Column::Torque)) {
-        refuse(place.field("strength"), "needs a column `torque_n_m`, and `normal_load_n`");
+    if strength {
+        // A sinkage that is modelled follows from the very soil that is sought.
+        for column in [Column::Torque, Column::Sinkage].into_iter().filter(|&column| !has(column)) {
+            refuse(columns.field(column.name()), "`strength` needs this column, as measured");
+        }
+        if !normal_load {
+            refuse(
+                columns.field(Column::NormalLoad.name()),
+                "`strength` needs this column, or `normal_load_n` beside the columns",
+            );
+        }
     }
     // With a measured torque or sinkage each of the two has a meaning of its own.
     if static_sinkage && normal_load && !has(Column::Torque) && !has(Column::Sinkage) {

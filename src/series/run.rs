@@ -1,10 +1,10 @@
 //! A run over a series: samples in, rows out, in slices that are short enough to share the machine.
 
 use axum::body::Bytes;
-use terramechanics::{Measured, Operation, Sample, SampleMotion, Slip, TrackRow, Tracker};
-use terramechanics_identification::{RollingSample, RunningStrength};
+use terramechanics::{Operation, Sample, Tracker};
+use terramechanics_identification::RunningStrength;
 
-use super::{Column, Ending, MOST_IN_COLUMNS, Read, Reader, Row, RowFormat, StrengthCells, Table, Unreadable};
+use super::{Column, Ending, MOST_IN_COLUMNS, Read, Reader, Row, RowFormat, Table, Unreadable, strength_cells};
 use crate::compute::Cost;
 use crate::extract::SeriesForm;
 use crate::problem::Problem;
@@ -119,35 +119,12 @@ impl Run {
     }
 }
 
-/// The estimate after a sample; one without a result, a torque or a load leaves it as it was.
-fn running_strength(running: &mut RunningStrength, sample: &Sample, row: &TrackRow) -> StrengthCells {
-    if let (true, Some(Measured { torque, normal_load }), Ok(slip)) = (row.status.is_good(), sample.measured, Slip::new(row.slip))
-        && torque.is_finite()
-        && normal_load > 0.0
-    {
-        // A wheel that moves backwards is the mirror image: its torque drives it the other way.
-        let backward = matches!(sample.motion, SampleMotion::Velocities(of) if of.forward < 0.0 || of.angular < 0.0);
-        let torque = if backward { -torque } else { torque };
-        // The row has a sinkage within the wheel, so that the sample is taken or mobilises too little to be of use.
-        let _ = running.take(&RollingSample { slip, sinkage: row.sinkage, load: normal_load, torque });
-    }
-    running.estimate().map_or([f64::NAN; 5], |estimate| {
-        [
-            estimate.cohesion,
-            estimate.tan_friction,
-            estimate.cohesion_variance,
-            estimate.tan_friction_variance,
-            estimate.covariance,
-        ]
-    })
-}
-
 impl Started {
     fn row(&mut self, row: &Row, output: &mut Vec<u8>) -> Result<(), Problem> {
         let sample = Sample { unreadable: row.unreadable, ..self.plan.sample(&row.cells) };
         let is_first = self.tracker.rows() == 0;
         let row = self.tracker.push(&sample);
-        let strength = self.strength.as_mut().map(|running| running_strength(running, &sample, &row));
+        let strength = self.strength.as_mut().map(|running| strength_cells(running.follow(&sample, &row)));
         match &mut self.sink {
             Sink::Rows(table) => {
                 // Not before, so that a series without samples, or with a first one that is wrong, can be refused.
@@ -168,7 +145,7 @@ impl Started {
 
     fn end(&mut self, unreadable: &Unreadable, output: &mut Vec<u8>) -> Result<(), Problem> {
         self.tracker.finish();
-        let findings = Findings::of(&self.tracker, &self.plan, unreadable);
+        let findings = Findings::of(&self.tracker, &self.plan, unreadable, self.strength.as_ref());
         match &mut self.sink {
             Sink::Rows(table) => {
                 let Findings { rows, events, warnings } = &findings;

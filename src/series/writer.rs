@@ -4,6 +4,7 @@ use std::io::Write;
 
 use serde::Serialize;
 use terramechanics::TrackRow;
+use terramechanics_identification::{StrengthBound, StrengthEstimate};
 
 /// A format that is written row by row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,8 +36,21 @@ pub(crate) const COUPLED: &str = "longitudinal_force_coupled_n";
 pub(crate) const STRENGTH: [&str; 5] =
     ["cohesion_pa", "tan_friction", "cohesion_variance_pa2", "tan_friction_variance", "cohesion_tan_friction_covariance_pa"];
 
-/// A running estimate, in the order of [`STRENGTH`]; NaN as long as the samples do not determine it.
+/// A running estimate, in the order of [`STRENGTH`]; NaN as long as the samples do not determine it, and for the variance of what
+/// a bound decides.
 pub(crate) type StrengthCells = [f64; STRENGTH.len()];
+
+pub(super) fn strength_cells(estimate: Option<StrengthEstimate>) -> StrengthCells {
+    let Some(estimate) = estimate else { return [f64::NAN; STRENGTH.len()] };
+    let unless = |bound: StrengthBound, value: f64| if estimate.bound == Some(bound) { f64::NAN } else { value };
+    [
+        estimate.cohesion,
+        estimate.tan_friction,
+        unless(StrengthBound::NoCohesion, estimate.cohesion_variance),
+        unless(StrengthBound::NoFriction, estimate.tan_friction_variance),
+        if estimate.bound.is_some() { f64::NAN } else { estimate.covariance },
+    ]
+}
 
 /// The numbers of a row, in the order of [`NUMBERS`].
 pub(crate) fn numbers(row: &TrackRow) -> [f64; NUMBERS.len()] {

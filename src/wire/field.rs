@@ -34,6 +34,10 @@ pub(crate) trait Wire: Sized {
         None
     }
 
+    fn flag(_value: bool) -> Option<Self> {
+        None
+    }
+
     fn list<'de, A: SeqAccess<'de>>(mut list: A) -> Result<Option<Self>, A::Error> {
         while list.next_element::<IgnoredAny>()?.is_some() {}
         Ok(None)
@@ -78,8 +82,8 @@ impl<'de, T: Wire> Visitor<'de> for FieldVisitor<T> {
         self.visit_f64(value as f64)
     }
 
-    fn visit_bool<E>(self, _: bool) -> Result<Self::Value, E> {
-        Ok(Field::Wrong("a boolean"))
+    fn visit_bool<E>(self, value: bool) -> Result<Self::Value, E> {
+        Ok(Field::of(T::flag(value), if value { "true" } else { "false" }))
     }
 
     fn visit_unit<E>(self) -> Result<Self::Value, E> {

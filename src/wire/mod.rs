@@ -4,6 +4,7 @@
 //! declaration come the reader, the checks and the JSON schema, so the bounds in the contract are the enforced ones. Reading
 //! never fails on the content: what is missing, of a wrong type or unknown is kept and reported together.
 
+mod asked;
 mod choice;
 mod entry;
 mod faults;
@@ -15,6 +16,7 @@ mod object;
 mod query;
 mod series;
 
+pub(crate) use asked::{Asked, AskedSpec};
 pub(crate) use choice::{Choice, nearest, shortened, unknown_word};
 pub(crate) use entry::Entry;
 pub(crate) use faults::{FieldFault, Scope};

@@ -1,8 +1,8 @@
 //! Requests written as a query: `wheel.preset=letter&slip=0.2` stands for `{"wheel": {"preset": "letter"}, "slip": 0.2}`.
 //!
 //! The query becomes the same [`Field`]s that a JSON body becomes, by the same reader, so that it meets the same checks, is
-//! refused with the same pointers and gives the same bits. A value that is a JSON number is a number, any other is a string;
-//! so NaN and inf are refused wherever a number is expected. A `+` in a number is its sign, as in `1e+5`; elsewhere it is the
+//! refused with the same pointers and gives the same bits. A value that is a JSON number is a number, `true` is that, any other is a
+//! string; so NaN and inf are refused wherever a number is expected. A `+` in a number is its sign, as in `1e+5`; elsewhere it is the
 //! space that forms write so.
 
 use percent_encoding::percent_decode_str;
@@ -115,6 +115,7 @@ impl<'de> Deserializer<'de> for Value {
         match self {
             Self::Text(text) => match number(&text) {
                 Some(number) => visitor.visit_f64(number),
+                None if text == "true" => visitor.visit_bool(true),
                 None => visitor.visit_string(text),
             },
             Self::Fields(fields) => visitor.visit_map(MapDeserializer::new(fields.into_iter())),

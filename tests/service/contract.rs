@@ -237,7 +237,10 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         let given = if field.pointer == "/normal_load_n" { "normal_load_n" } else { "static_sinkage_m" };
         body = with(&body, json!({"slip": null, "sinkage_m": null, given: 1e-4, "columns": columns}));
         if field.pointer.starts_with("/strength/") {
-            body = with(&body, json!({"columns": {"torque_n_m": [0.1, 0.2], "normal_load_n": [10, 10]}}));
+            body = with(
+                &body,
+                json!({"columns": {"sinkage_m": [0.001, 0.002], "torque_n_m": [0.1, 0.2], "normal_load_n": [10, 10]}}),
+            );
         }
     }
     for (pointer, tag, name) in &field.variants {

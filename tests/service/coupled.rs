@@ -70,6 +70,17 @@ fn a_torque_that_the_load_cannot_go_with_is_warned_of() {
     assert_eq!(post("/v1/coupled", &measured(json!({}))).ok()["warnings"], json!([]));
 }
 
+/// The law cancels, so that it may be left out; what does not cancel may not.
+#[test]
+fn no_pressure_sinkage_law_is_needed() {
+    let without = post("/v1/coupled", &measured(json!({"soil": {"pressure_sinkage": null}})));
+    assert_eq!(without.ok(), post("/v1/coupled", &measured(json!({}))).ok());
+    let nothing = post("/v1/coupled", &measured(json!({"soil": {"pressure_sinkage": null, "cohesion_pa": null}})));
+    assert_eq!(nothing.pointers(), ["/soil/cohesion_pa"]);
+    let forces = with(&letter(), json!({"soil": {"pressure_sinkage": null}}));
+    assert_eq!(post("/v1/forces", &forces).pointers(), ["/soil/pressure_sinkage"]);
+}
+
 #[test]
 fn a_braking_wheel_that_carries_nothing_is_refused_at_its_slip() {
     let change = json!({"slip": -1, "sinkage_m": 0.2, "soil": {"friction_angle_rad": 1.2}});

@@ -19,6 +19,7 @@ mod resistances;
 mod server;
 mod side_force;
 mod slip_sweep;
+mod strength;
 mod stress_profile;
 mod towed;
 mod track;

@@ -19,7 +19,7 @@ pub(crate) fn path(settings: &Value) -> String {
     format!("/v1/track?{}", query_of(settings))
 }
 
-fn stream_to(settings: &Value, media_type: &str, accept: &str, body: impl Into<Body>) -> Answer {
+pub(crate) fn stream_to(settings: &Value, media_type: &str, accept: &str, body: impl Into<Body>) -> Answer {
     send(request("POST", &path(settings), &[("content-type", media_type), ("accept", accept)], body))
 }
 
@@ -337,62 +337,4 @@ fn an_answer_in_columns_is_bounded() {
     let rows = "1,0.1\n".repeat(100_001);
     let answer = stream_to(&settings(), "text/csv", "application/json", format!("time_s,slip\n{rows}"));
     assert_eq!(answer.pointers(), [""]);
-}
-
-/// Samples of the letter's wheel on a soil of 500 Pa and tan φ = 0.6, by its linear stresses: the line that the estimate seeks.
-fn samples_of_known_strength() -> (Value, Value) {
-    let soil = json!({"cohesion_pa": 500, "friction_angle_rad": 0.6_f64.atan()});
-    let base = with(&settings(), json!({"static_sinkage_m": null, "method": "linearised", "soil": soil}));
-    let (mut slips, mut sinkages, mut torques, mut loads) = (vec![], vec![], vec![], vec![]);
-    for (slip, sinkage) in [(0.1, 0.010), (0.2, 0.014), (0.3, 0.012), (0.4, 0.020), (0.5, 0.017)] {
-        let forces = post("/v1/forces", &with(&base, json!({"slip": slip, "sinkage_m": sinkage}))).ok();
-        slips.push(json!(slip));
-        sinkages.push(json!(sinkage));
-        torques.push(forces["torque_n_m"].clone());
-        loads.push(forces["normal_force_n"].clone());
-    }
-    let times: Vec<usize> = (0..slips.len()).collect();
-    let columns = json!({"time_s": times, "slip": slips, "sinkage_m": sinkages, "torque_n_m": torques, "normal_load_n": loads});
-    (with(&settings(), json!({"static_sinkage_m": null})), columns)
-}
-
-#[test]
-fn the_strength_is_estimated_as_samples_come() {
-    let (base, columns) = samples_of_known_strength();
-    let asked = with(&base, json!({"strength": {"forgetting_factor": 0.95}, "columns": columns}));
-    let reply = post("/v1/track", &asked).ok();
-    let cell = |name: &str, row: usize| reply["columns"][name][row].as_f64();
-    assert_eq!((cell("cohesion_pa", 0), cell("tan_friction", 0)), (None, None), "one sample determines no line");
-    for row in 1..5 {
-        assert!((cell("cohesion_pa", row).expect("a cohesion") / 500.0 - 1.0).abs() < 1e-6, "{row}");
-        assert!((cell("tan_friction", row).expect("a friction") / 0.6 - 1.0).abs() < 1e-6, "{row}");
-    }
-    assert_eq!(cell("tan_friction_variance", 1), None, "two samples leave no freedom");
-    assert!(cell("tan_friction_variance", 4).expect("a variance") >= 0.0);
-    assert!(cell("cohesion_tan_friction_covariance_pa", 4).expect("a covariance") <= 0.0);
-    // A bad sample leaves the estimate as it was, and the other forms have the same numbers.
-    let gap = with(
-        &asked,
-        json!({"columns": {"torque_n_m": [columns["torque_n_m"][0], null, columns["torque_n_m"][2], columns["torque_n_m"][3], null]}}),
-    );
-    let with_gap = post("/v1/track", &gap).ok();
-    assert_eq!(with_gap["columns"]["tan_friction"][4], with_gap["columns"]["tan_friction"][3]);
-    let table =
-        send(request("POST", "/v1/track", &[("content-type", "application/json"), ("accept", "text/csv")], asked.to_string()));
-    let last = table.text.lines().nth(5).expect("a row").to_owned();
-    assert!(last.ends_with(&format!(",{}", reply["columns"]["cohesion_tan_friction_covariance_pa"][4])), "{last}");
-    let unasked = post("/v1/track", &with(&asked, json!({"strength": null}))).ok();
-    assert!(unasked["columns"].get("tan_friction").is_none());
-}
-
-#[test]
-fn a_strength_needs_torque_load_and_a_shear_modulus() {
-    let (base, columns) = samples_of_known_strength();
-    let asked = with(&base, json!({"strength": {}, "columns": columns}));
-    assert_eq!(post("/v1/track", &with(&asked, json!({"columns": {"torque_n_m": null}}))).pointers(), ["/strength"]);
-    assert_eq!(post("/v1/track", &with(&asked, json!({"columns": {"normal_load_n": null}}))).pointers(), ["/strength"]);
-    let peak = json!({"soil": {"shear": {"law": "wong_peak", "peak_displacement_m": 0.02}}});
-    assert_eq!(post("/v1/track", &with(&asked, peak)).pointers(), ["/strength"]);
-    let factor = json!({"strength": {"forgetting_factor": 1.1}});
-    assert_eq!(post("/v1/track", &with(&asked, factor)).pointers(), ["/strength/forgetting_factor"]);
 }

@@ -2,8 +2,8 @@
 
 use divan::{Bencher, black_box};
 use terramechanics::{
-    ContactParams, Direct, ForceModel, JanosiHanamoto, Method, OperatingPoint, Operation, PeakRule, PressureSinkage, ShearLaw,
-    Sinkage, SinkageExponent, Slip, SoilParams, Wheel, WheelParams,
+    ContactParams, Direct, ForceModel, JanosiHanamoto, Method, NormalStressRadius, OperatingPoint, Operation, PeakRule,
+    PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SoilParams, Wheel, WheelParams,
 };
 use terramechanics_identification::{
     Column, FitOptions, Observations, RollingSample, RunningStrength, Setup, SinkageSource, Sought, Unknown, fit,
@@ -96,7 +96,8 @@ fn five_parameters_100_loads(bencher: Bencher<'_, '_>, method: &str) {
 #[divan::bench]
 fn one_sample_of_the_running_estimate(bencher: Bencher<'_, '_>) {
     let setup = setup("linearised", SinkageSource::Measured);
-    let mut running = RunningStrength::new(setup.wheel, 0.012, 0.98).expect("an estimate");
+    let mut running =
+        RunningStrength::new(setup.system().expect("a system"), NormalStressRadius::Rim, 0.98).expect("an estimate");
     let slip = Slip::new(0.2).expect("a slip");
     let sample = RollingSample { slip, sinkage: 0.02, load: 60.0, torque: 4.0 };
     let other = RollingSample { load: 90.0, torque: 6.0, ..sample };

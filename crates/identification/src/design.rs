@@ -19,10 +19,10 @@ pub enum DesignGap {
 }
 
 /// Range of slips that counts as one.
-const SLIP_SPREAD: f64 = 0.01;
+pub(crate) const SLIP_SPREAD: f64 = 0.01;
 
 /// Standard deviation over mean of loads or sinkages that count as one: what a test bed holds a load to.
-const LOAD_SPREAD: f64 = 0.05;
+pub(crate) const LOAD_SPREAD: f64 = 0.05;
 
 /// The gaps of a design, each with the unknowns that it leaves together.
 pub(crate) fn gaps(observations: &Observations, fitted: &[Quantity], sought: &[Unknown]) -> Vec<(DesignGap, Vec<Unknown>)> {

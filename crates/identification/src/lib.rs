@@ -3,7 +3,7 @@
 //! [`fit()`] finds any of the model's parameters from measured forces, torque and sinkage over slip, with any of the three
 //! methods of the crate `terramechanics` as the forward model.
 //!
-//! [`linear_strength`] and [`RunningStrength`] find cohesion and friction alone, in one pass, from torque, load, slip and
+//! [`fit_line`] and [`RunningStrength`] find cohesion and friction alone, in one pass, from torque, load, slip and
 //! sinkage (Iagnemma et al. 2004).
 //!
 //! [`fit_plates`] and [`fit_shear_curves`] find Bekker's parameters and the strength from plate tests and shear tests.
@@ -30,7 +30,10 @@ pub use design::DesignGap;
 pub use error::FitError;
 pub use finding::{Bound, Estimate, Identifiability};
 pub use fit::{Fit, FitOptions, FittedColumn, MOST_STARTS, fit};
-pub use linear::{RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StressPoint, linear_strength};
+pub use linear::{
+    LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint, fit_line,
+    linear_strength,
+};
 pub use loss::Loss;
 pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};
 pub use plates::{FittedPlate, MOST_PLATES, PlateCurve, PlatesError, PlatesFit, fit_plates};

@@ -50,6 +50,8 @@ pub struct CoupledForces {
     pub torque: f64,
     /// Normal stress σm at the peak (Pa) that load and torque leave.
     pub peak_normal_stress: f64,
+    /// Shear stress τm at the peak (Pa) that the torque shows.
+    pub peak_shear_stress: f64,
 }
 
 impl Coupled {
@@ -103,8 +105,9 @@ impl Coupled {
             longitudinal: (a + b * b / a) * y - b / a * self.normal_load, // A Y − B X, Eq. (11a)
             torque,
             peak_normal_stress: x / (normal_radius * wheel.width()),
+            peak_shear_stress: y / (shearing_radius * wheel.width()),
         };
-        let results = [forces.longitudinal, forces.torque, forces.peak_normal_stress];
+        let results = [forces.longitudinal, forces.torque, forces.peak_normal_stress, forces.peak_shear_stress];
         if results.iter().all(|value| value.is_finite()) { Ok(forces) } else { Err(Error::NotFinite) }
     }
 
@@ -112,7 +115,7 @@ impl Coupled {
         let Rolling { system, .. } = patch.rolling;
         let shearing_radius = system.wheel.shearing_radius();
         let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&patch.angles);
-        let mobilisation = patch.mobilisation(&patch.rim_point(patch.angles.entry - patch.angles.peak));
+        let mobilisation = patch.peak_mobilisation();
         let friction = system.soil.tan_friction() / (normal_radius * a);
         let support = 1.0 + shearing_radius * mobilisation * b * friction;
         if support.is_nan() || support < LEAST_SUPPORT {

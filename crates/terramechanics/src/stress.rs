@@ -155,6 +155,12 @@ impl<'a> ContactPatch<'a> {
         }
     }
 
+    /// E (–) at the angle of maximum stress; 0 where two zones part there.
+    #[must_use]
+    pub fn peak_mobilisation(&self) -> f64 {
+        self.mobilisation(&self.rim_point(self.angles.entry - self.angles.peak))
+    }
+
     /// E (–) of a contact of one zone: what an endless displacement leaves, turned, all along the contact of a locked wheel.
     #[inline]
     pub(crate) fn mobilisation_of_one_zone(&self, point: &RimPoint) -> f64 {

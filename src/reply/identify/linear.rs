@@ -2,131 +2,110 @@
 
 use std::collections::BTreeMap;
 
-use terramechanics::SoilParams;
-use terramechanics_identification::{
-    Column, FittedColumn, Quantity, RollingSample, StrengthBound, StrengthEstimate, StressPoint, linear_strength, quantile_95,
-};
+use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Unknown, fit_line};
 
 use super::columns::IdentifyColumns;
-use super::words::number;
+use super::words::{self, number};
 use super::{EstimateReply, IdentifyReply};
 use crate::reply::Warning;
 use crate::reply::soil::{ContactBody, SoilBody};
-use crate::request::{LinearQuery, refusal_pointer};
+use crate::request::{LinearQuery, fit_fault, name_of, refusal_pointer};
 use crate::wire::FieldFault;
-
-/// Half widths of cohesion (Pa) and of tan φ beyond which an estimate is of no use; a cohesion may be off by itself.
-const USEFUL: (f64, f64) = (500.0, 0.25);
 
 impl IdentifyReply {
     pub(super) fn of_line(query: &LinearQuery) -> Result<Self, FieldFault> {
-        let LinearQuery { setup, shear_modulus, observations } = query;
-        let refused = |(row, error): (usize, terramechanics::Error)| FieldFault {
-            pointer: refusal_pointer(row, &error, &setup.sinkage),
-            detail: error.to_string(),
+        let LinearQuery { setup, observations, law_known } = query;
+        let fault = |error: FitError| match error {
+            FitError::Refused { row, error } => {
+                FieldFault { pointer: refusal_pointer(row, &error, &setup.sinkage), detail: error.to_string() }
+            }
+            other => fit_fault(&other, &setup.sinkage),
         };
-        let samples = samples(query);
-        let (line, used) = linear_strength(setup.wheel, *shear_modulus, samples.iter().copied()).map_err(refused)?;
-        let mut warnings = Vec::new();
-        if used < samples.len() {
-            let detail = format!(
-                "{} of {} samples mobilise too little of the strength to show it and were left out",
-                samples.len() - used,
-                samples.len()
-            );
-            warnings.push(Warning::new("samples_left_out", detail));
-        }
-        let Some(line) = line else {
-            let detail =
-                "the normal stress under the wheel is the same in all samples: two different loads, sinkages or slips at \
-                          least are needed to tell cohesion from friction"
-                    .to_owned();
-            return Err(FieldFault { pointer: "/data".to_owned(), detail });
+        let Some(found) = fit_line(setup, observations).map_err(fault)? else {
+            let detail = "the normal stress under the wheel is the same in all samples: two different loads, sinkages or slips at \
+                          least are needed to tell cohesion from friction";
+            return Err(FieldFault { pointer: "/data".to_owned(), detail: detail.to_owned() });
         };
-        let estimates = estimates(&line);
-        let identifiable = estimates.iter().all(|(_, determined)| *determined);
-        if !identifiable {
-            let detail = "the data do not determine both parameters; see each one's `identifiability`".to_owned();
-            warnings.push(Warning::new("not_identifiable", detail));
-        }
-        if let Some(bound) = line.bound {
-            let name = if bound == StrengthBound::NoCohesion { "cohesion_pa" } else { "friction_angle_rad" };
-            warnings.push(Warning::new("at_bound", format!("{name} lies at its lower bound 0")));
-        }
-        let predicted: Result<Vec<f64>, _> = samples
+        let bias = if *law_known { found.model_bias() } else { None };
+        let estimates = found
+            .estimates
             .iter()
             .enumerate()
-            .map(|(row, sample)| {
-                let torque = StressPoint::torque(&setup.wheel, *shear_modulus, sample, line.cohesion, line.tan_friction);
-                torque.map_err(|error| refused((row, error)))
-            })
-            .collect();
-        let torque = FittedColumn::new(Quantity::Torque, samples.iter().map(|sample| sample.torque).collect(), predicted?);
-        let soil = SoilParams { cohesion: line.cohesion, friction_angle: line.tan_friction.atan(), ..setup.soil };
-        let coefficient = line.covariance / (line.cohesion_variance * line.tan_friction_variance).sqrt();
-        let coefficient = coefficient.is_finite().then(|| coefficient.clamp(-1.0, 1.0));
+            .map(|(i, estimate)| EstimateReply { model_bias: bias.map(|bias| bias[i]), ..EstimateReply::from(estimate) });
+        let soil = SoilBody::from(&found.setup.soil);
         Ok(Self {
             estimator: "linear",
             method: "linearised",
-            converged: true,
-            identifiable,
-            stop_reason: "linear",
+            converged: found.converged,
+            identifiable: found.is_identifiable(),
+            stop_reason: if found.converged { "linear" } else { "ill_conditioned" },
             iterations: 1,
-            evaluations: samples.len() as u64,
-            estimates: estimates.into_iter().map(|(estimate, _)| estimate).collect(),
-            correlation: vec![vec![Some(1.0), coefficient], vec![coefficient, Some(1.0)]],
-            condition_number: Some(line.condition_number).filter(|number| number.is_finite()),
+            evaluations: found.samples() as u64,
+            estimates: estimates.collect(),
+            correlation: vec![vec![Some(1.0), found.correlation], vec![found.correlation, Some(1.0)]],
+            condition_number: Some(found.line.condition_number).filter(|number| number.is_finite()),
             dead_directions: Vec::new(),
-            degrees_of_freedom: line.freedom,
+            degrees_of_freedom: found.line.freedom,
             reduced_chi_square: None,
-            rmse: BTreeMap::from([("torque_n_m", torque.rmse)]),
-            columns: IdentifyColumns::of(observations, samples.iter().map(|sample| sample.sinkage).collect(), &[torque]),
-            soil: SoilBody::from(&soil),
+            rmse: BTreeMap::from([("torque_n_m", found.torque.rmse)]),
+            columns: IdentifyColumns::of(observations, sinkages(query), std::slice::from_ref(&found.torque)),
+            soil: if *law_known { soil } else { soil.without_law() },
             contact: ContactBody::from(&setup.contact),
-            warnings,
+            warnings: warnings(&found, bias),
         })
     }
 }
 
-fn samples(query: &LinearQuery) -> Vec<RollingSample> {
-    let values = |quantity: Quantity| query.observations.column(quantity).map_or(&[][..], |column: &Column| &column.values);
-    let columns = values(Quantity::Sinkage).iter().zip(values(Quantity::Normal)).zip(values(Quantity::Torque));
-    let slips = query.observations.slip.iter();
-    slips.zip(columns).map(|(&slip, ((&sinkage, &load), &torque))| RollingSample { slip, sinkage, load, torque }).collect()
+fn sinkages(query: &LinearQuery) -> Vec<f64> {
+    query.observations.sinkage.as_ref().map_or_else(Vec::new, |column| column.values.clone())
 }
 
-/// Both estimates, each with whether it is determined.
-fn estimates(line: &StrengthEstimate) -> [(EstimateReply, bool); 2] {
-    let factor = quantile_95(line.freedom);
-    let has_freedom = line.freedom >= 1.0;
-    let of = |parameter, value: f64, error: f64, useful: f64, at_bound: bool| {
-        let error = (has_freedom && error.is_finite()).then_some(error);
-        let half = error.map(|error| factor * error);
-        let determined = half.is_some_and(|half| half <= useful);
-        let identifiability = match (half, determined, at_bound) {
-            (_, true, true) => "at its lower bound: the bound decides the value, the data may ask for one beyond".to_owned(),
-            (Some(half), true, false) => format!("determined to ± {} (95 %)", number(half)),
-            (Some(half), false, _) => format!("not determined: ± {} (95 %) is too wide to be of use", number(half)),
-            (None, ..) => "not determined: no error can be stated, there are too few data".to_owned(),
+/// What there is to say of a line as a whole.
+fn warnings(found: &LinearFit, bias: Option<[f64; 2]>) -> Vec<Warning> {
+    let mut warnings = vec![Warning::linearised_stresses()];
+    let mut warn = |code: &'static str, detail: String| warnings.push(Warning::new(code, detail));
+    let left_out = found.samples() - found.used;
+    if left_out > 0 {
+        let samples = found.samples();
+        warn(
+            "samples_left_out",
+            format!("{left_out} of {samples} samples mobilise too little of the strength to show it and were left out"),
+        );
+    }
+    if !found.converged {
+        warn("not_converged", "the numbers are too far apart for the line to be solved".to_owned());
+    }
+    if !found.is_identifiable() {
+        let detail = "the data do not determine both parameters; see each one's `identifiability`";
+        warn("not_identifiable", detail.to_owned());
+    }
+    for &gap in &found.gaps {
+        let detail = match gap {
+            DesignGap::OneSlip => {
+                "all samples have one slip: a wrong shear_modulus_m, which is taken as known, changes both parameters by one factor \
+                 and does not show"
+                    .to_owned()
+            }
+            _ => words::gap(gap, &[Unknown::Cohesion, Unknown::FrictionAngle]),
         };
-        let interval_95 = half.map(|half| [value - half, value + half]);
-        (EstimateReply { parameter, value, standard_error: error, interval_95, at_bound, identifiability }, determined)
-    };
-    let angle_per_tangent = 1.0 / (1.0 + line.tan_friction * line.tan_friction); // dφ/d tan φ
-    [
-        of(
-            "cohesion_pa",
-            line.cohesion,
-            line.cohesion_variance.sqrt(),
-            line.cohesion.max(USEFUL.0),
-            line.bound == Some(StrengthBound::NoCohesion),
-        ),
-        of(
-            "friction_angle_rad",
-            line.tan_friction.atan(),
-            line.tan_friction_variance.sqrt() * angle_per_tangent,
-            USEFUL.1 * angle_per_tangent,
-            line.bound == Some(StrengthBound::NoFriction),
-        ),
-    ]
+        warn(words::gap_code(gap), detail);
+    }
+    for (i, Estimate { unknown, interval, at_bound, .. }) in found.estimates.iter().enumerate() {
+        let name = name_of(*unknown);
+        if at_bound.is_some() {
+            warn("at_bound", format!("{name} lies at its lower bound 0"));
+        }
+        if let (Some(bias), Some([lower, upper])) = (bias.map(|bias| bias[i]), interval)
+            && bias.abs() > 0.5 * (upper - lower)
+        {
+            let detail = format!(
+                "by the soil's pressure–sinkage law, linear stresses put {name} off by {}, more than the half width {} of its \
+                 interval: take \"estimator\": \"nonlinear\" with the quadrature",
+                number(bias),
+                number(0.5 * (upper - lower))
+            );
+            warn("model_bias", detail);
+        }
+    }
+    warnings
 }

@@ -73,6 +73,10 @@ pub(super) struct EstimateReply {
     interval_95: Option<[f64; 2]>,
     /// Whether it lies at a bound.
     at_bound: bool,
+    /// Of the linear estimator on a soil with a pressure–sinkage law: how far linear stresses mislead it, by simulation: it minus the value with which the quadrature would have led to it; absent where the model has no answer for a sample.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    model_bias: Option<f64>,
     /// Whether the data determine it, in words.
     identifiability: String,
 }
@@ -129,6 +133,7 @@ impl From<&Estimate> for EstimateReply {
             standard_error: finite(estimate.standard_error),
             interval_95: estimate.interval.filter(|interval| interval.iter().all(|end| end.is_finite())),
             at_bound: estimate.at_bound.is_some(),
+            model_bias: None,
             identifiability: words::identifiability(estimate),
         }
     }

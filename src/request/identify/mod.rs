@@ -42,7 +42,7 @@ wire_object! {
             default: Some("least_squares"),
         },
         estimator: String = Choice {
-            doc: "nonlinear: any parameters by any method. linear: cohesion_pa and friction_angle_rad from torque, load, slip and sinkage in one pass (Iagnemma et al. 2004); needs the soil's shear_modulus_m.",
+            doc: "nonlinear: any parameters by any method. linear: cohesion_pa and friction_angle_rad from torque, load, slip and sinkage in one pass (Iagnemma et al. 2004), for linear stresses, which bias both; needs the soil's shear_modulus_m, takes contact and normal_stress_radius, and no pressure–sinkage law; with one, each estimate has its model_bias.",
             words: || vec!["nonlinear", "linear"],
             default: Some("nonlinear"),
         },
@@ -59,11 +59,12 @@ pub(crate) struct FitQuery {
     pub(crate) law_replaced: bool,
 }
 
-/// A linear estimate, checked: slip, sinkage, normal force and torque were measured.
+/// A linear estimate, checked: slip, sinkage, a load and torque were measured.
 pub(crate) struct LinearQuery {
     pub(crate) setup: Setup,
-    pub(crate) shear_modulus: f64,
     pub(crate) observations: Observations,
+    /// Whether the pressure–sinkage law of the setup is that of the soil.
+    pub(crate) law_known: bool,
 }
 
 /// What is asked for.
@@ -93,19 +94,21 @@ impl Request for IdentifyDto {
         let loss = self.checked_loss(place);
         // Where `fit` itself is wrong, nothing of the soil is asked for that may have been meant.
         let anything: Vec<Unknown> = Unknown::ALL.into_iter().filter(|&unknown| unknown != Unknown::StaticSinkage).collect();
-        let setup = self.setup(place, fitted.as_deref().unwrap_or(&anything), &starts);
+        let needs_law = is_linear != Some(true);
+        let setup = self.setup(place, fitted.as_deref().unwrap_or(&anything), &starts, needs_law);
         let observations = self.observations(place, setup.as_ref().map(|(setup, _)| &setup.wheel));
-        let (setup, law_replaced) = setup?;
+        let (setup, law) = setup?;
         let fitted = fitted?;
         if is_linear? {
-            return self.linear(place, &fitted, setup, observations?);
+            let query = LinearQuery { setup, observations: observations?, law_known: law.known };
+            return self.linear(place, &fitted, query);
         }
         let sought: Option<Vec<Sought>> =
             fitted.iter().enumerate().map(|(i, &unknown)| self.sought(place, i, unknown, &setup, &starts, &bounds)).collect();
         let (sought, observations) = (sought?, observations?);
         self.check_columns(place, &setup, &observations)?;
         let options = FitOptions { starts: count? as u32, loss: loss?, evaluations: EVALUATIONS, until: None };
-        Some(IdentifyQuery::Fit(Box::new(FitQuery { setup, observations, sought, options, law_replaced })))
+        Some(IdentifyQuery::Fit(Box::new(FitQuery { setup, observations, sought, options, law_replaced: law.replaced })))
     }
 }
 
@@ -200,7 +203,8 @@ impl IdentifyDto {
     }
 
     /// The linear estimate: what it needs and what it cannot take is reported.
-    fn linear(&self, place: &Scope<'_>, fitted: &[Unknown], setup: Setup, observations: Observations) -> Option<IdentifyQuery> {
+    fn linear(&self, place: &Scope<'_>, fitted: &[Unknown], query: LinearQuery) -> Option<IdentifyQuery> {
+        let LinearQuery { setup, observations, .. } = &query;
         let mut sound = true;
         let mut report = |place: Scope<'_>, detail: &str| {
             place.fault(detail);
@@ -215,22 +219,34 @@ impl IdentifyDto {
                 report(data.field(column_name(quantity)), "the linear estimator needs it");
             }
         }
+        if let Some(loads) = observations.column(Quantity::Normal)
+            && let Some(row) = loads.values.iter().position(|&load| load <= 0.0)
+        {
+            report(
+                data.field(column_name(Quantity::Normal)).item(row),
+                "is not greater than 0: the linear estimator takes it as the load",
+            );
+        }
+        if self.method().given(place).is_some_and(|method| method != "linearised") {
+            report(place.field("method"), "has no meaning for the linear estimator, whose stresses are those of `linearised`");
+        }
         for (name, is_present) in [
             ("start", self.start().is_present()),
             ("bounds", self.bounds().is_present()),
             ("starts", self.starts().is_present()),
             ("loss", self.loss().is_present()),
+            ("peak_sinkage", self.peak_sinkage().is_present()),
+            ("lambda_a", self.lambda_a().is_present()),
+            ("lambda_b", self.lambda_b().is_present()),
             ("standard_deviation", self.standard_deviation().is_present()),
         ] {
             if is_present {
                 report(place.field(name), "has no meaning for the linear estimator");
             }
         }
-        let ShearLaw::JanosiHanamoto(law) = setup.soil.shear else {
-            place.field("soil").field("shear").fault("the linear estimator needs janosi_hanamoto");
-            return None;
-        };
-        let query = LinearQuery { setup, shear_modulus: law.modulus, observations };
+        if !matches!(setup.soil.shear, ShearLaw::JanosiHanamoto(_)) {
+            report(place.field("soil").field("shear"), "the linear estimator needs janosi_hanamoto");
+        }
         sound.then(|| IdentifyQuery::Linear(Box::new(query)))
     }
 }
@@ -260,7 +276,9 @@ pub(crate) fn fit_fault(error: &FitError, source: &SinkageSource) -> FieldFault 
 pub(crate) fn refusal_pointer(row: usize, error: &Error, source: &SinkageSource) -> String {
     match error {
         Error::SinkageOutsideWheel { .. } if *source == SinkageSource::Measured => format!("/data/sinkage_m/{row}"),
-        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } => format!("/data/normal_force_n/{row}"),
+        Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } | Error::LoadNotCoupled { .. } => {
+            format!("/data/normal_force_n/{row}")
+        }
         Error::PeakOutsideContact { .. } => "/contact".to_owned(),
         Error::ModulusNotPositive { .. } | Error::ExponentNotPositive { .. } => "/soil".to_owned(),
         _ => "/data".to_owned(),

@@ -8,9 +8,24 @@ use crate::request::SoilDto;
 use crate::request::operation::{self, MethodEntries, OperationEntries};
 use crate::wire::{Entry, Field, Scope};
 
+/// Where the pressure–sinkage law of a setup comes from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LawOrigin {
+    /// Whether the request or the catalogue has it; else any law stands in.
+    pub(super) known: bool,
+    /// Whether the preset's law gave way to the direct one, whose modulus is fitted.
+    pub(super) replaced: bool,
+}
+
 impl IdentifyDto {
-    /// The forward model, with starts for what is fitted and known nowhere; and whether the preset's law gave way.
-    pub(super) fn setup(&self, place: &Scope<'_>, fitted: &[Unknown], starts: &[(Unknown, f64)]) -> Option<(Setup, bool)> {
+    /// The forward model, with starts for what is fitted and known nowhere.
+    pub(super) fn setup(
+        &self,
+        place: &Scope<'_>,
+        fitted: &[Unknown],
+        starts: &[(Unknown, f64)],
+        needs_law: bool,
+    ) -> Option<(Setup, LawOrigin)> {
         let start =
             |unknown: Unknown| starts.iter().find(|(known, _)| *known == unknown).map_or(unknown.typical(), |(_, value)| *value);
         let filling: Vec<(&'static str, f64)> = fitted.iter().map(|&unknown| (name_of(unknown), start(unknown))).collect();
@@ -26,6 +41,7 @@ impl IdentifyDto {
                 return None;
             }
         };
+        let (soil, law_known) = if needs_law { (soil, true) } else { soil.with_any_law() };
         let soil = Field::Given(soil);
         let contact = self.contact().given(place).map(|dto| dto.filled(&filling));
         let contact = contact.map_or(Field::Absent, Field::Given);
@@ -52,7 +68,10 @@ impl IdentifyDto {
         let Operation { system, model, .. } = checked?.operation;
         let WheelOnSoil { wheel, soil, contact } = system;
         let contact = self.contact_params(&contact, fitted, start(Unknown::PeakIntercept), start(Unknown::PeakSlipGain));
-        Some((Setup { wheel, soil: *soil.params(), contact, model, sinkage: source? }, law_replaced))
+        Some((
+            Setup { wheel, soil: *soil.params(), contact, model, sinkage: source? },
+            LawOrigin { known: law_known, replaced: law_replaced },
+        ))
     }
 
     /// The contact; where c1 or c2 is fitted and nothing was said of the contact, it follows Wong & Reece's rule.

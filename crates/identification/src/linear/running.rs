@@ -1,0 +1,276 @@
+//! A line through the stress points that forgets: recursive least squares in constant memory, with the covariance that holds
+//! for weighted samples.
+//!
+//! Sample i of n has the weight w_i = λ^(n−i); X has a row (1, σm) and y a value τm/E per sample, W = diag(w). Derived here:
+//!
+//! * estimate β = (XᵀWX)⁻¹XᵀWy;
+//! * covariance under independent noise of one variance s²: s² (XᵀWX)⁻¹ XᵀW²X (XᵀWX)⁻¹. The weights say what is forgotten, not
+//!   how exact a sample is, so that they do not cancel;
+//! * e = y − Xβ has eᵀWe = yᵀGy with G = W − WX(XᵀWX)⁻¹XᵀW, whose expectation is s² tr G, where
+//!   tr G = Σw − tr[(XᵀWX)⁻¹XᵀW²X]. So s² = eᵀWe/tr G.
+//!
+//! With the mean m of the stresses under the weights w, XᵀWX is diagonal in the basis (1, σm − m): S = Σw and M = Σw (σm − m)².
+//! XᵀW²X has the sums with w², about their own mean m₂: P₀ = Σw², P₁ = P₀ (m₂ − m), P₂ = Σw² (σm − m₂)² + P₀ (m₂ − m)². All
+//! follow by one recursion, that of means and centred squares, with λ or with λ². Hence, for the height a = c + m tan φ of the
+//! line at the mean: var a = s² P₀/S², cov(a, tan φ) = s² P₁/(S M), var tan φ = s² P₂/M², and tr G = S − P₀/S − P₂/M.
+//! For λ = 1 these are the formulas of ordinary least squares, with tr G = n − 2.
+
+use terramechanics::{Error, NormalStressRadius, Sample, SampleMotion, Sinkage, Slip, Status, TrackRow, WheelOnSoil};
+
+use super::{RollingSample, StressPoint};
+use crate::design::{LOAD_SPREAD, SLIP_SPREAD};
+
+/// Relative spread of the normal stresses below which the line has no slope: rounding of the stresses.
+const LEAST_SPREAD: f64 = 1e-6;
+
+/// tr G up to which no freedom is left: its rounding. Three samples leave λ² at least.
+const LEAST_FREEDOM: f64 = 1e-6;
+
+/// Strength of a soil with its covariance: that of noise in the samples, not of the model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StrengthEstimate {
+    /// Cohesion c (Pa).
+    pub cohesion: f64,
+    /// tan φ (–).
+    pub tan_friction: f64,
+    /// Variance of c (Pa²) without the bound; infinite where no freedom is left, as the other two.
+    pub cohesion_variance: f64,
+    /// Variance of tan φ (–) without the bound.
+    pub tan_friction_variance: f64,
+    /// Covariance of c and tan φ (Pa) without the bound.
+    pub covariance: f64,
+    /// tr G of the module's head: the number of samples minus two where none is forgotten. With forgetting it is less than the
+    /// degrees of freedom (tr G)²/tr G² by which the variance scatters, because no eigenvalue of G exceeds 1.
+    pub freedom: f64,
+    /// Condition number of the line, with both columns of length one.
+    pub condition_number: f64,
+    /// Whether the bound c ≥ 0 or φ ≥ 0 holds it; then the other is the best there.
+    pub bound: Option<StrengthBound>,
+}
+
+/// A bound that an unbounded line would cross.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StrengthBound {
+    /// c = 0.
+    NoCohesion,
+    /// tan φ = 0.
+    NoFriction,
+}
+
+/// Mean and centred sum of squares of a quantity under weights that are known.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Moments {
+    mean: f64,
+    squares: f64,
+}
+
+impl Moments {
+    /// Takes a value of weight 1, the others keeping a share `kept` of theirs, to `weight` in all; how far the value lies from
+    /// the mean before and after.
+    fn take(&mut self, value: f64, kept: f64, weight: f64) -> (f64, f64) {
+        let before = value - self.mean;
+        self.mean += before / weight;
+        let after = value - self.mean;
+        self.squares = kept * self.squares + before * after;
+        (before, after)
+    }
+}
+
+/// What a run over samples leaves open, counted over the rows that have an estimate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct StrengthTally {
+    /// Rows with an estimate.
+    pub estimates: u64,
+    /// Rows whose samples, as far as they are remembered, have one load.
+    pub one_load: u64,
+    /// Rows whose samples, as far as they are remembered, have one slip.
+    pub one_slip: u64,
+    /// Rows with the cohesion held at 0.
+    pub no_cohesion: u64,
+    /// Rows with the friction held at 0.
+    pub no_friction: u64,
+}
+
+/// The strength as samples come, in constant memory: the information form of recursive least squares, which needs no first
+/// guess of estimate and covariance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunningStrength {
+    system: WheelOnSoil,
+    radius: NormalStressRadius,
+    forgetting: f64,
+    /// Σw and Σw².
+    weight: f64,
+    squared_weight: f64,
+    normal: Moments,
+    strength: Moments,
+    /// Σw of both, centred.
+    product: f64,
+    /// Of the normal stress, with the weights squared.
+    squared_normal: Moments,
+    load: Moments,
+    slip: Moments,
+    tally: StrengthTally,
+}
+
+impl RunningStrength {
+    /// An estimate without samples, for a wheel on a soil whose shear law is known; none unless the forgetting factor is in
+    /// 0 < λ ≤ 1, 1 for never.
+    #[must_use]
+    pub fn new(system: WheelOnSoil, radius: NormalStressRadius, forgetting: f64) -> Option<Self> {
+        let none = Moments::default();
+        (forgetting > 0.0 && forgetting <= 1.0).then_some(Self {
+            system,
+            radius,
+            forgetting,
+            weight: 0.0,
+            squared_weight: 0.0,
+            normal: none,
+            strength: none,
+            product: 0.0,
+            squared_normal: none,
+            load: none,
+            slip: none,
+            tally: StrengthTally::default(),
+        })
+    }
+
+    /// Takes a sample; whether it was used.
+    ///
+    /// # Errors
+    /// Those of [`StressPoint::of`].
+    pub fn take(&mut self, sample: &RollingSample) -> Result<bool, Error> {
+        let Some(point) = StressPoint::of(&self.system, self.radius, sample)? else { return Ok(false) };
+        let kept = self.forgetting;
+        self.weight = kept * self.weight + 1.0;
+        self.squared_weight = kept * kept * self.squared_weight + 1.0;
+        let (from_normal, _) = self.normal.take(point.normal, kept, self.weight);
+        let (_, to_strength) = self.strength.take(point.strength, kept, self.weight);
+        self.product = kept * self.product + from_normal * to_strength;
+        self.squared_normal.take(point.normal, kept * kept, self.squared_weight);
+        self.load.take(sample.load, kept, self.weight);
+        self.slip.take(sample.slip.ratio(), kept, self.weight);
+        Ok(true)
+    }
+
+    /// The estimate after a sample of a track and its row. One without a result, at rest, or without a measured torque, load and
+    /// sinkage leaves it as it was, as does one that mobilises too little.
+    pub fn follow(&mut self, sample: &Sample, row: &TrackRow) -> Option<StrengthEstimate> {
+        if let Some(sample) = rolling_sample(sample, row) {
+            // The row has a result, so that the only refusal left is that of a number that overflows.
+            let _ = self.take(&sample);
+        }
+        let estimate = self.estimate()?;
+        let count = |count: &mut u64, counts: bool| *count += u64::from(counts);
+        let (one_load, one_slip) = (self.has_one_load(), self.has_one_slip());
+        count(&mut self.tally.estimates, true);
+        count(&mut self.tally.one_load, one_load);
+        count(&mut self.tally.one_slip, one_slip);
+        count(&mut self.tally.no_cohesion, estimate.bound == Some(StrengthBound::NoCohesion));
+        count(&mut self.tally.no_friction, estimate.bound == Some(StrengthBound::NoFriction));
+        Some(estimate)
+    }
+
+    /// What the samples that were followed leave open.
+    #[must_use]
+    pub fn tally(&self) -> &StrengthTally {
+        &self.tally
+    }
+
+    fn has_one_load(&self) -> bool {
+        (self.load.squares / self.weight).sqrt() < LOAD_SPREAD * self.load.mean
+    }
+
+    /// Slips within a range have a standard deviation of half of it at most.
+    fn has_one_slip(&self) -> bool {
+        (self.slip.squares / self.weight).sqrt() < 0.5 * SLIP_SPREAD
+    }
+
+    /// The estimate; none as long as fewer than two different normal stresses were seen.
+    #[must_use]
+    pub fn estimate(&self) -> Option<StrengthEstimate> {
+        let Self { weight, squared_weight, product, .. } = *self;
+        let Moments { mean, squares } = self.normal;
+        let spread = (squares / weight.max(1.0)).sqrt();
+        if weight <= 1.0 || spread <= LEAST_SPREAD * mean.abs() {
+            return None;
+        }
+        let about_zero = squares + weight * mean * mean;
+        let Strength { cohesion, tan_friction, bound } = self.strength(about_zero);
+        let off_mean = self.strength.mean - cohesion - tan_friction * mean;
+        let residuals = self.strength.squares - 2.0 * tan_friction * product
+            + tan_friction * tan_friction * squares
+            + weight * off_mean * off_mean;
+        let shift = self.squared_normal.mean - mean;
+        let first = squared_weight * shift; // P₁
+        let second = self.squared_normal.squares + first * shift; // P₂
+        let freedom = weight - squared_weight / weight - second / squares;
+        let noise = if freedom > LEAST_FREEDOM { residuals.max(0.0) / freedom } else { f64::INFINITY };
+        let height = squared_weight / (weight * weight);
+        let mixed = first / (weight * squares);
+        let slope = second / (squares * squares);
+        // The two columns have the cosine Σwσ/√(Σw Σwσ²); of two unit vectors the singular values are √(1 ± cos). Their product
+        // is the sine, which comes from the centred sum without cancellation.
+        let sine = (squares / about_zero).sqrt();
+        let cosine = (weight * mean * mean / about_zero).sqrt();
+        Some(StrengthEstimate {
+            cohesion,
+            tan_friction,
+            cohesion_variance: noise * (height - 2.0 * mean * mixed + mean * mean * slope),
+            tan_friction_variance: noise * slope,
+            covariance: noise * (mixed - mean * slope),
+            freedom: freedom.max(0.0),
+            condition_number: (1.0 + cosine) / sine,
+            bound,
+        })
+    }
+
+    /// The best line with c ≥ 0 and tan φ ≥ 0. Of a convex sum of squares with one bound broken, the best is on that bound.
+    fn strength(&self, about_zero: f64) -> Strength {
+        let (mean, squares) = (self.normal.mean, self.normal.squares);
+        let tan_friction = self.product / squares;
+        let cohesion = self.strength.mean - tan_friction * mean;
+        if cohesion < 0.0 {
+            let through_zero = (self.product + self.weight * mean * self.strength.mean) / about_zero;
+            Strength { cohesion: 0.0, tan_friction: through_zero.max(0.0), bound: Some(StrengthBound::NoCohesion) }
+        } else if tan_friction < 0.0 {
+            let cohesion = self.strength.mean.max(0.0);
+            Strength { cohesion, tan_friction: 0.0, bound: Some(StrengthBound::NoFriction) }
+        } else {
+            Strength { cohesion, tan_friction, bound: None }
+        }
+    }
+}
+
+struct Strength {
+    cohesion: f64,
+    tan_friction: f64,
+    bound: Option<StrengthBound>,
+}
+
+/// What a sample of a track shows of the strength: only a moving wheel does, and only what was measured counts.
+fn rolling_sample(sample: &Sample, row: &TrackRow) -> Option<RollingSample> {
+    let (Status::Ok, Some(measured), Sinkage::Given(sinkage)) = (row.status, sample.measured, sample.sinkage) else {
+        return None;
+    };
+    // A wheel that moves backwards is the mirror image: its torque drives it the other way.
+    let is_backward = matches!(sample.motion, SampleMotion::Velocities(of) if of.forward < 0.0 || of.angular < 0.0);
+    let torque = if is_backward { -measured.torque } else { measured.torque };
+    Some(RollingSample { slip: Slip::new(row.slip).ok()?, sinkage, load: measured.normal_load, torque })
+}
+
+/// The strength from samples that all count alike, and how many could be used.
+///
+/// # Errors
+/// The row at fault, with a refusal of [`StressPoint::of`].
+pub fn linear_strength(
+    system: WheelOnSoil,
+    radius: NormalStressRadius,
+    samples: impl IntoIterator<Item = RollingSample>,
+) -> Result<(Option<StrengthEstimate>, usize), (usize, Error)> {
+    let Some(mut running) = RunningStrength::new(system, radius, 1.0) else { return Ok((None, 0)) };
+    let mut used = 0;
+    for (row, sample) in samples.into_iter().enumerate() {
+        used += usize::from(running.take(&sample).map_err(|error| (row, error))?);
+    }
+    Ok((running.estimate(), used))
+}
