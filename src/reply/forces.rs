@@ -6,6 +6,7 @@ use serde::Serialize;
 use terramechanics::{Error, Heading, Method, Outcome, cautions};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{AnglesReply, Reply, Warning};
 use crate::request::ForcesQuery;
 
@@ -106,6 +107,7 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
         let forces = point.forces.heading(motion.heading);
         let parts = &forces.components;
         let mut warnings: Vec<Warning> = cautions(operation, &Outcome::from(&point)).map(Warning::from).collect();
+        warnings.extend(system_warnings(wheel, operation.system.soil.params()));
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
         }

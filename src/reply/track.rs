@@ -4,6 +4,7 @@ use serde::Serialize;
 use terramechanics::{CautionTally, Event, Status, Tally, TrackRow, Tracker};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{Column, Warning};
 use crate::request::TrackPlan;
 use crate::series::StrengthCells;
@@ -193,6 +194,7 @@ impl Findings {
             .map(|tally| tally.count)
             .sum();
         warnings.extend(tracker.cautions().iter().map(|tally| caution(tally, good)));
+        warnings.extend(system_warnings(&tracker.system().wheel, tracker.system().soil.params()));
         if tracker.has_moved_backward() {
             warnings.push(Warning::mirrored());
         }

@@ -23,7 +23,7 @@ impl WheelDto {
         let preset = self.preset().looked_up(place, catalogue::wheel);
         let unknown_preset = self.preset().is_present() && preset.is_none();
         let value = |entry: &Entry<'_, f64>, otherwise: Option<f64>| {
-            let published = || preset.and_then(|record| record.values.get(entry.name)).map(|value| value.value);
+            let published = || preset.and_then(|record| record.number(entry.name));
             if entry.is_present() {
                 return entry.checked(place);
             }

@@ -12,6 +12,7 @@ use super::words::number;
 use super::{EstimateReply, IdentifyReply};
 use crate::reply::Warning;
 use crate::reply::soil::{ContactBody, SoilBody};
+use crate::reply::warning::system_warnings;
 use crate::request::{LinearQuery, refusal_pointer};
 use crate::wire::FieldFault;
 
@@ -63,6 +64,7 @@ impl IdentifyReply {
             .collect();
         let torque = FittedColumn::new(Quantity::Torque, samples.iter().map(|sample| sample.torque).collect(), predicted?);
         let soil = SoilParams { cohesion: line.cohesion, friction_angle: line.tan_friction.atan(), ..setup.soil };
+        warnings.extend(system_warnings(&setup.wheel, &soil));
         let coefficient = line.covariance / (line.cohesion_variance * line.tan_friction_variance).sqrt();
         let coefficient = coefficient.is_finite().then(|| coefficient.clamp(-1.0, 1.0));
         Ok(Self {

@@ -22,6 +22,7 @@ use crate::error::{Error, InvalidInput};
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::operation::{Operation, Sinkage};
 use crate::slip::{Heading, Motion, Slip, Velocities};
+use crate::stress::WheelOnSoil;
 use tally::CompensatedSum;
 
 /// Follows a wheel over time.
@@ -276,6 +277,12 @@ impl Tracker {
     #[must_use]
     pub fn events(&self) -> (&[Event], u64) {
         (&self.events, self.events_left_out)
+    }
+
+    /// The wheel on its soil.
+    #[must_use]
+    pub fn system(&self) -> &WheelOnSoil {
+        &self.operation.system
     }
 
     /// Samples so far.
