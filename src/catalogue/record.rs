@@ -12,8 +12,8 @@ use utoipa::ToSchema;
 use crate::request::LAWS;
 use crate::wire::Variant;
 
-/// How well a value is founded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
+/// How well a value is founded, best first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Grade {
     /// Read in the source itself.
