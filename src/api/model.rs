@@ -7,9 +7,10 @@ use serde::{Deserialize, Serialize};
 use terramechanics::{Caution, CautionKind};
 use utoipa::ToSchema;
 
-use super::responses::Limits;
+use super::responses::{InvalidQuery, Limits};
 use crate::catalogue::{self, Gravity};
 use crate::compute::json_text;
+use crate::extract::NoQuery;
 
 /// What the service computes.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
@@ -140,8 +141,8 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
 ///
 /// For people and for programs: symbols, equations, methods, what is refused, what is warned of, gravity, and where the
 /// letter as printed is not what is computed.
-#[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), Limits))]
-pub(crate) async fn model() -> Response {
+#[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), InvalidQuery, Limits))]
+pub(crate) async fn model(_: NoQuery) -> Response {
     json_text(TEXT.as_str())
 }
 

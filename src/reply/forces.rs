@@ -51,7 +51,7 @@ pub(crate) struct ForcesReply {
     aligning_moment_n_m: Option<f64>,
     /// F_x/F_z (–); null where F_z is not positive.
     drawbar_coefficient: Option<f64>,
-    /// F_x v/(T ω) (–); null unless the wheel drives.
+    /// F_x v/(T ω) (–), the power at the axle over that of the torque; null unless the wheel drives. Negative where a driven wheel has to be pulled all the same, and then it has no lower bound.
     tractive_efficiency: Option<f64>,
     /// Sinkage modulus K_s (Pa/m^N).
     sinkage_modulus: f64,

@@ -1,5 +1,7 @@
 //! A time series in the columns of a JSON body.
 
+use std::borrow::Cow;
+
 use serde::de::SeqAccess;
 use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, SchemaType, Type};
@@ -16,7 +18,7 @@ const MOST: usize = 100_000;
 pub(crate) struct Series {
     values: Vec<f64>,
     /// The first item that is neither, and what it is.
-    wrong: Option<(usize, &'static str)>,
+    wrong: Option<(usize, Cow<'static, str>)>,
 }
 
 /// The description of a column.
@@ -134,8 +136,8 @@ impl Entry<'_, Series> {
             place.fault(format_args!("must have from 1 to {MOST} values; a longer series can be sent as a stream"));
             return None;
         }
-        if let Some((at, found)) = series.wrong {
-            place.item(at).fault(format_args!("must be a number or null, not {found}"));
+        if let Some((at, found)) = &series.wrong {
+            place.item(*at).fault(format_args!("must be a number or null, not {found}"));
             return None;
         }
         Some(series.values.clone())

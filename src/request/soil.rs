@@ -18,9 +18,9 @@ wire_object! {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
         friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle(),
-        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0),
+        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0).length(),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
-        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.", 1e-6, 10.0),
+        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.", 1e-6, 10.0).length(),
         unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.", 1.0, 1e6),
         shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
     }
@@ -177,7 +177,7 @@ wire_object! {
     ShearDto as "Shear" with shear_schema {
         law: String = Choice { doc: "Name of the law.", words: shear_law_names, default: None },
         residual_ratio: f64 = Number::new("Residual over largest strength K_r (–).", 1e-3, 1.0),
-        peak_displacement_m: f64 = Number::new("Shear displacement K_w at the largest strength (m).", 1e-6, 10.0),
+        peak_displacement_m: f64 = Number::new("Shear displacement K_w at the largest strength (m).", 1e-6, 10.0).length(),
     }
 }
 
@@ -194,7 +194,8 @@ impl ShearDto {
                 residual_ratio: residual_ratio?,
                 peak_displacement: peak_displacement?,
             })),
-            _ => Some(ShearLaw::WongPeak(WongPeak { peak_displacement: peak_displacement? })),
+            "wong_peak" => Some(ShearLaw::WongPeak(WongPeak { peak_displacement: peak_displacement? })),
+            unread => return place.unread(unread),
         })
     }
 }
@@ -288,7 +289,8 @@ impl PressureSinkageDto {
             "bekker" => PressureSinkage::Bekker(Bekker { k_c: k_c?, k_phi: k_phi?, exponent }),
             "direct" => PressureSinkage::Direct(Direct { k_s: k_s?, exponent }),
             "reece" => PressureSinkage::Reece(Reece { k_c: k_c?, k_phi: k_phi?, unit_weight: unit_weight?, exponent }),
-            _ => PressureSinkage::Diameter(Diameter { k: k?, m: m?, exponent }),
+            "diameter" => PressureSinkage::Diameter(Diameter { k: k?, m: m?, exponent }),
+            unread => return place.unread(unread),
         })
     }
 }
@@ -307,11 +309,8 @@ pub(super) fn numbers_of<const N: usize>(
         Some(variant) => {
             if entry.is_present() {
                 let takes: Vec<&str> = variant.fields().collect();
-                place.field(entry.name).fault(format_args!(
-                    "`{}` has no such field; it takes {}",
-                    variant.name,
-                    takes.join(", ")
-                ));
+                let takes = if takes.is_empty() { "no further field".to_owned() } else { takes.join(", ") };
+                place.field(entry.name).fault(format_args!("`{}` has no such field; it takes {takes}", variant.name));
             }
             None
         }

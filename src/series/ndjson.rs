@@ -85,7 +85,7 @@ impl NdjsonReader {
             match entry.field {
                 Field::Absent => continue,
                 Field::Given(value) => cells[index] = *value,
-                Field::Wrong("null") => {}
+                Field::Wrong(found) if found == "null" => {}
                 Field::Wrong(found) => {
                     return Err(self.fault(0, format!("`{}` must be a number or null, not {found}", entry.name)));
                 }
