@@ -13,7 +13,7 @@ use tower_http::catch_panic::CatchPanicLayer;
 use crate::compute::Pool;
 use crate::metrics::Metrics;
 use crate::problem::Problem;
-use crate::{docs, observe, openapi, page};
+use crate::{docs, observe, openapi, page, paths};
 
 /// Limits of the service.
 #[derive(Debug, Clone, Copy)]
@@ -101,11 +101,16 @@ pub fn app(service: Service) -> Router {
 /// `routes` with the fallbacks and layers of the service.
 pub fn layered(routes: Router<Service>, service: Service) -> Router {
     routes
-        .fallback(|uri: Uri| async move { Problem::NotFound(format!("no such path: {}", uri.path())) })
-        .method_not_allowed_fallback(|| async { Problem::MethodNotAllowed })
+        .fallback(|uri: Uri| async move { nothing_at(uri.path()) })
+        .method_not_allowed_fallback(|uri: Uri| async move { Problem::MethodNotAllowed(paths::methods_of(uri.path())) })
         .layer(CatchPanicLayer::custom(panicked))
         .layer(middleware::from_fn_with_state(service.clone(), observe::observe))
         .with_state(service)
+}
+
+fn nothing_at(path: &str) -> Problem {
+    let meant = paths::meant_by(path).map_or_else(String::new, |meant| format!("; did you mean {meant}?"));
+    Problem::NotFound(format!("no such path: {path}{meant}"))
 }
 
 fn panicked(cause: Box<dyn std::any::Any + Send>) -> Response {

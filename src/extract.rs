@@ -14,7 +14,7 @@ use crate::app::Service;
 use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::request::{self, checked};
-use crate::wire::{self, Choice, Entry, FieldFault, Query, Scope, Spec};
+use crate::wire::{self, Choice, Entry, FieldFault, Query, Scope, Spec, shortened};
 
 /// A request body that was read and checked.
 pub(crate) struct Input<R: request::Request>(pub(crate) R::Query);
@@ -67,6 +67,16 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
     }
 }
 
+impl Query {
+    /// Refuses every parameter that is left.
+    fn refuse_all(&self, detail: &str) -> Result<(), Problem> {
+        let faults = RefCell::default();
+        self.names().for_each(|name| Scope::root(&faults).fault_of(&shortened(name), detail));
+        let faults = faults.into_inner();
+        if faults.is_empty() { Ok(()) } else { Err(Problem::Invalid(faults)) }
+    }
+}
+
 /// The request object that a query stands for.
 ///
 /// # Errors
@@ -110,7 +120,7 @@ impl IntoParams for FormatParameter {
 /// Reads and checks a body.
 fn query<R: request::Request>(body: &[u8]) -> Result<R::Query, Problem> {
     let field = wire::read::<R>(body).map_err(|error| Problem::NotJson {
-        detail: error.to_string(),
+        detail: wire::fault_in_words(body, &error),
         line: error.line(),
         column: error.column(),
     })?;
@@ -150,11 +160,44 @@ pub(crate) enum Format {
     Csv,
 }
 
+/// Beside a body nothing stands in the query, where it would have no effect.
 impl<S: Sync> FromRequestParts<S> for Format {
-    type Rejection = std::convert::Infallible;
+    type Rejection = Problem;
 
-    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Self::Rejection> {
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        parsed(&parts.uri)?
+            .refuse_all("is not taken beside a body: fields stand in the body, and the header Accept chooses the format")?;
         Ok(Self::of(&parts.headers))
+    }
+}
+
+/// The format of an answer without parameters, and a query of nothing else.
+pub(crate) struct AskedFormat(pub(crate) Format);
+
+impl<S: Sync> FromRequestParts<S> for AskedFormat {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        let mut query = parsed(&parts.uri)?;
+        let faults = RefCell::default();
+        let format = asked_format(&mut query, &Scope::root(&faults));
+        let faults = faults.into_inner();
+        if !faults.is_empty() {
+            return Err(Problem::Invalid(faults));
+        }
+        query.refuse_all("unknown parameter; known are format")?;
+        Ok(Self(format.unwrap_or_else(|| Format::of(&parts.headers))))
+    }
+}
+
+/// A query without parameters.
+pub(crate) struct NoQuery;
+
+impl<S: Sync> FromRequestParts<S> for NoQuery {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        parsed(&parts.uri)?.refuse_all("unknown parameter; there are none here").map(|()| Self)
     }
 }
 

@@ -15,6 +15,7 @@ mod metrics;
 mod observe;
 mod openapi;
 mod page;
+mod paths;
 mod problem;
 mod reply;
 mod request;

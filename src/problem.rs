@@ -28,8 +28,8 @@ pub(crate) enum Problem {
     BrokenBody,
     /// There is nothing at the path.
     NotFound(String),
-    /// The path has no such method.
-    MethodNotAllowed,
+    /// The path has no such method; those that it has, where the contract has the path.
+    MethodNotAllowed(Option<String>),
     /// The body did not arrive in time.
     SlowBody(Duration),
     /// The body is too large.
@@ -97,7 +97,7 @@ impl Problem {
         match self {
             Self::NotJson { .. } | Self::BrokenBody | Self::Unreadable(_) => StatusCode::BAD_REQUEST,
             Self::NotFound(_) => StatusCode::NOT_FOUND,
-            Self::MethodNotAllowed => StatusCode::METHOD_NOT_ALLOWED,
+            Self::MethodNotAllowed(_) => StatusCode::METHOD_NOT_ALLOWED,
             Self::SlowBody(_) | Self::Idle(_) => StatusCode::REQUEST_TIMEOUT,
             Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
             Self::NotJsonType | Self::NotSeriesType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
@@ -112,7 +112,7 @@ impl Problem {
             Self::NotJson { .. } => ("not-json", "The body is not JSON"),
             Self::BrokenBody => ("broken-body", "The body could not be received"),
             Self::NotFound(_) => ("not-found", "There is nothing here"),
-            Self::MethodNotAllowed => ("method-not-allowed", "The method is not allowed here"),
+            Self::MethodNotAllowed(_) => ("method-not-allowed", "The method is not allowed here"),
             Self::Unreadable(_) => ("unreadable-series", "The series cannot be read"),
             Self::SlowBody(_) | Self::Idle(_) => ("slow-body", "The body did not arrive in time"),
             Self::TooLarge { .. } => ("too-large", "The body is too large"),
@@ -131,7 +131,8 @@ impl Problem {
             Self::NotJson { detail, .. } => detail.clone(),
             Self::BrokenBody => "the connection broke or the body was malformed".into(),
             Self::NotFound(path) => path.clone(),
-            Self::MethodNotAllowed => "the header Allow lists the methods of this path".into(),
+            Self::MethodNotAllowed(Some(methods)) => format!("use {methods}; the header Allow lists the methods of this path"),
+            Self::MethodNotAllowed(None) => "the header Allow lists the methods of this path".into(),
             Self::SlowBody(limit) => format!("the body has to arrive within {} s", limit.as_secs_f64()),
             Self::TooLarge { limit } => format!("the body may have at most {limit} bytes"),
             Self::NotJsonType => "send the body with Content-Type: application/json".into(),
@@ -142,7 +143,7 @@ impl Problem {
             Self::Idle(limit) => format!("nothing was sent or taken for {} s", limit.as_secs_f64()),
             Self::Invalid(errors) => match errors.as_slice() {
                 [one] if one.pointer.is_empty() => one.detail.clone(),
-                [one] => format!("{} {}", one.pointer, one.detail),
+                [one] => format!("{}: {}", one.pointer, one.detail),
                 many => format!("{} faults, see errors", many.len()),
             },
             Self::Busy => "all places for long computations are taken, try again soon".into(),

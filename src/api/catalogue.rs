@@ -12,7 +12,7 @@ use utoipa::ToSchema;
 use super::responses::{InvalidQuery, Limits, UnknownName};
 use crate::catalogue::{self, SoilView, WheelView};
 use crate::compute::{csv_text, json, json_text};
-use crate::extract::{Asked, Format, FormatParameter};
+use crate::extract::{Asked, Format, FormatParameter, NoQuery};
 use crate::problem::Problem;
 use crate::request::{SoilsDto, WheelsDto};
 use crate::wire::nearest;
@@ -113,9 +113,9 @@ fn text<T: Serialize>(list: &T) -> Bytes {
     path = "/v1/wheels/{id}",
     tag = "catalogue",
     params(("id" = String, Path, description = "Name of the wheel", example = "letter")),
-    responses((status = 200, description = "The wheel", body = WheelView<'static>), UnknownName, Limits)
+    responses((status = 200, description = "The wheel", body = WheelView<'static>), InvalidQuery, UnknownName, Limits)
 )]
-pub(crate) async fn wheel(Path(id): Path<String>) -> Result<Response, Problem> {
+pub(crate) async fn wheel(Path(id): Path<String>, _: NoQuery) -> Result<Response, Problem> {
     let record = catalogue::wheel(&id).ok_or_else(|| unknown("wheel", &id, &catalogue::wheel_ids()))?;
     json(&record.view())
 }
@@ -128,9 +128,9 @@ pub(crate) async fn wheel(Path(id): Path<String>) -> Result<Response, Problem> {
     path = "/v1/soils/{id}",
     tag = "catalogue",
     params(("id" = String, Path, description = "Name of the soil", example = "letter-sand")),
-    responses((status = 200, description = "The soil", body = SoilView<'static>), UnknownName, Limits)
+    responses((status = 200, description = "The soil", body = SoilView<'static>), InvalidQuery, UnknownName, Limits)
 )]
-pub(crate) async fn soil(Path(id): Path<String>) -> Result<Response, Problem> {
+pub(crate) async fn soil(Path(id): Path<String>, _: NoQuery) -> Result<Response, Problem> {
     let record = catalogue::soil(&id).ok_or_else(|| unknown("soil", &id, &catalogue::soil_ids()))?;
     json(&record.view())
 }

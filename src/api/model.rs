@@ -7,9 +7,10 @@ use serde::{Deserialize, Serialize};
 use terramechanics::{Caution, CautionKind};
 use utoipa::ToSchema;
 
-use super::responses::Limits;
+use super::responses::{InvalidQuery, Limits};
 use crate::catalogue::{self, Gravity};
 use crate::compute::json_text;
+use crate::extract::NoQuery;
 
 /// What the service computes.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
@@ -140,8 +141,8 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
 ///
 /// For people and for programs: symbols, equations, methods, what is refused, what is warned of, gravity, and where the
 /// letter as printed is not what is computed.
-#[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), Limits))]
-pub(crate) async fn model() -> Response {
+#[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), InvalidQuery, Limits))]
+pub(crate) async fn model(_: NoQuery) -> Response {
     json_text(TEXT.as_str())
 }
 
@@ -161,10 +162,10 @@ mod tests {
             assert!(model.equations.iter().any(|equation| equation.letter.contains(&number)), "equation {number}");
         }
         let codes: Vec<&str> = model.warnings.iter().map(|warning| warning.code.as_str()).collect();
-        let mut distinct = codes.clone();
+        let mut distinct: Vec<_> = model.warnings.iter().map(|warning| (&warning.code, &warning.meaning)).collect();
         distinct.sort_unstable();
         distinct.dedup();
-        assert_eq!(distinct.len(), codes.len(), "each code is listed once");
+        assert_eq!(distinct.len(), codes.len(), "each meaning of a code is listed once");
         for code in [
             "needs_exponent_below_three",
             "needs_unit_weight",
@@ -172,6 +173,7 @@ mod tests {
             "needs_janosi_hanamoto",
             "no_linear_stresses",
             "mirrored",
+            "outside_catalogue",
             "no_solution",
             "missing_value",
             "unreadable",
@@ -201,5 +203,40 @@ mod tests {
         ] {
             assert!(codes.contains(&code), "{code}");
         }
+    }
+
+    /// The years that a text names, each with the name that stands last before it.
+    fn cited(text: &str) -> Vec<(String, String)> {
+        let (mut name, mut found) = (String::new(), Vec::new());
+        for word in text.split(|c: char| !c.is_alphanumeric() && c != '-').filter(|word| !word.is_empty()) {
+            let is_year = word.len() == 4 && (word.starts_with("19") || word.starts_with("20"));
+            if is_year && word.bytes().all(|byte| byte.is_ascii_digit()) {
+                found.push((name.clone(), word.to_owned()));
+            } else if word.chars().next().is_some_and(char::is_uppercase) {
+                word.clone_into(&mut name);
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn every_paper_that_is_cited_is_among_the_references() {
+        assert_eq!(cited("Bekker 1956, 1969; N_γ by Coduto 2001").len(), 3);
+        let model: Model = serde_json::from_str(&TEXT).expect("the model is JSON");
+        let of_equations = model.equations.iter().flat_map(|equation| [&equation.source, &equation.note]);
+        let of_warnings = model.warnings.iter().map(|warning| &warning.source);
+        let mut count = 0;
+        for text in of_equations.chain(of_warnings).flatten() {
+            for (name, year) in cited(text) {
+                let listed = model.references.iter().any(|reference| reference.contains(&name) && reference.contains(&year));
+                assert!(listed, "{name} {year} of `{text}`");
+                count += 1;
+            }
+            for book in ["Theory of Ground Vehicles", "Terzaghi", "Akin"] {
+                let listed = model.references.iter().any(|reference| reference.contains(book));
+                assert!(!text.contains(book) || listed, "{book} of `{text}`");
+            }
+        }
+        assert!(count > 30, "{count} citations");
     }
 }

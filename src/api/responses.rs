@@ -79,7 +79,7 @@ pub(super) struct Limits;
 impl IntoResponses for Limits {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
         problems(vec![
-            (Problem::MethodNotAllowed, "The method is not allowed; the header Allow lists those that are"),
+            (Problem::MethodNotAllowed(Some("POST".into())), "The method is not allowed; the header Allow lists those that are"),
             (Problem::Internal, "The service failed; the request id leads to the cause in the log"),
             (Problem::Busy, "The service is busy or the answer took too long; the header Retry-After says when to try again"),
         ])

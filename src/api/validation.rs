@@ -9,10 +9,10 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::catalogue::unknown;
-use super::responses::{Limits, UnknownName};
+use super::responses::{InvalidQuery, Limits, UnknownName};
 use crate::app::Service;
 use crate::compute::{Cost, json_text, written};
-use crate::extract::Format;
+use crate::extract::{AskedFormat, FormatParameter, NoQuery};
 use crate::problem::Problem;
 use crate::reply::ValidationSet;
 use crate::validation;
@@ -41,8 +41,8 @@ fn cost() -> Cost {
 /// measured load. Where parameters were fitted to the very measurements, `fitted` is true: those errors are no predictions.
 /// Braking wheels are run by both laws of braking, wheels at a slip angle by the quadrature with every `shear_coupling` and
 /// `bulldozing`. The same comes as a table for one set.
-#[utoipa::path(get, path = "/v1/validation", tag = "catalogue", responses((status = 200, description = "The sets", body = ValidationReply), Limits))]
-pub(crate) async fn validation(State(service): State<Service>) -> Result<Response, Problem> {
+#[utoipa::path(get, path = "/v1/validation", tag = "catalogue", responses((status = 200, description = "The sets", body = ValidationReply), InvalidQuery, Limits))]
+pub(crate) async fn validation(State(service): State<Service>, _: NoQuery) -> Result<Response, Problem> {
     static TEXT: OnceLock<Bytes> = OnceLock::new();
     let text = || TEXT.get_or_init(|| serde_json::to_vec(&ValidationReply { sets: sets() }).unwrap_or_default().into());
     service.pool().run(cost(), move || Ok(json_text(text().clone()))).await
@@ -55,12 +55,12 @@ pub(crate) async fn validation(State(service): State<Service>) -> Result<Respons
     get,
     path = "/v1/validation/{id}",
     tag = "catalogue",
-    params(("id" = String, Path, description = "Name of the set", example = "ding-2011-smooth")),
-    responses((status = 200, description = "The set", content((ValidationSet = "application/json"), (String = "text/csv"))), UnknownName, Limits)
+    params(("id" = String, Path, description = "Name of the set", example = "ding-2011-smooth"), FormatParameter),
+    responses((status = 200, description = "The set", content((ValidationSet = "application/json"), (String = "text/csv"))), InvalidQuery, UnknownName, Limits)
 )]
 pub(crate) async fn validation_set(
     State(service): State<Service>,
-    format: Format,
+    AskedFormat(format): AskedFormat,
     Path(id): Path<String>,
 ) -> Result<Response, Problem> {
     let work = move || {

@@ -3,11 +3,13 @@
 //! Adding an entry is adding a record to one of those files; the tests check that it can be read and computes, or says what
 //! it lacks.
 
+mod extent;
 mod gravity;
 mod record;
 mod table;
 mod view;
 
+pub(crate) use extent::{Extent, Outside, outside};
 pub(crate) use gravity::{Gravity, gravity};
 pub(crate) use record::{SoilRecord, WheelRecord};
 pub(crate) use table::{soils_table, wheels_table};

@@ -12,8 +12,8 @@ use utoipa::ToSchema;
 use crate::request::LAWS;
 use crate::wire::Variant;
 
-/// How well a value is founded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
+/// How well a value is founded, best first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Grade {
     /// Read in the source itself.
@@ -79,6 +79,8 @@ pub(crate) struct SoilRecord {
     pub(super) note: Option<String>,
     /// The pressure–sinkage law to which the values belong, if there are any of one.
     pub(crate) law: Option<String>,
+    /// Largest slip of the wheel tests to which n1 was fitted, where it is known.
+    pub(crate) largest_fitted_slip: Option<f64>,
     pub(crate) values: Values,
     pub(super) shear: Option<ShearRecord>,
     pub(super) contact: Option<ContactRecord>,
@@ -111,6 +113,11 @@ fn absent(values: &Values, names: impl IntoIterator<Item = &'static str>) -> Vec
 }
 
 impl WheelRecord {
+    /// The value of that name.
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
+        self.values.get(name).map(|value| value.value)
+    }
+
     /// Required fields that are not known.
     pub(crate) fn missing(&self) -> Vec<&'static str> {
         absent(&self.values, WHEEL_REQUIRED)

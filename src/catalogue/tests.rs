@@ -37,6 +37,19 @@ fn every_value_has_a_source_a_grade_and_what_was_published() {
 }
 
 #[test]
+fn no_record_has_a_better_grade_than_its_best_value() {
+    let of_wheels = wheels().iter().map(|record| (&record.id, record.grade, vec![&record.values]));
+    let of_soils = soils().iter().map(|record| {
+        let further = [record.shear.as_ref().map(|shear| &shear.values), record.contact.as_ref().map(|contact| &contact.values)];
+        (&record.id, record.grade, further.into_iter().flatten().chain([&record.values]).collect())
+    });
+    for (id, grade, values) in of_wheels.chain(of_soils) {
+        let grades = values.into_iter().flat_map(|values| values.values()).map(|value| value.grade.unwrap_or(grade));
+        assert!(grades.min().is_none_or(|best| grade >= best), "{id}");
+    }
+}
+
+#[test]
 fn every_soil_names_only_parameters_of_its_law() {
     for record in soils() {
         let law = record.law.as_ref().map(|name| LAWS.iter().find(|law| law.name == name).expect("a law"));

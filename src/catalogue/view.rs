@@ -75,6 +75,10 @@ pub(crate) struct SoilView<'a> {
     /// The contact that was measured with it, which holds unless a request has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     contact: Option<TaggedBody<'a>>,
+    /// Largest slip of the wheel tests to which n1 was fitted, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    largest_fitted_slip: Option<f64>,
     /// Every value with its source.
     values: BTreeMap<&'a str, ValueView<'a>>,
     /// Required fields without a published value: a request has to add them.
@@ -178,6 +182,7 @@ impl SoilRecord {
                 rule: Some(&contact.rule),
                 parameters: numbers(&contact.values, &parameters(RULES, &contact.rule)),
             }),
+            largest_fitted_slip: self.largest_fitted_slip,
             values,
             missing: self.missing(),
         }

@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics::{Error, Heading, system_cautions};
+use terramechanics::{Error, Heading};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{AnglesReply, Reply, Warning};
 use crate::request::CoupledQuery;
 
@@ -39,7 +40,8 @@ impl TryFrom<&CoupledQuery> for CoupledReply {
         let patch = rolling.contact(*sinkage)?;
         let forces = known.forces(&patch)?.heading(motion.heading);
         let slip = motion.slip.ratio();
-        let mut warnings: Vec<Warning> = forces.caution().into_iter().chain(system_cautions(system)).map(Warning::from).collect();
+        let mut warnings: Vec<Warning> = forces.cautions(system, motion.slip, *sinkage).map(Warning::from).collect();
+        warnings.extend(system_warnings(&system.wheel, system.soil.params()));
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
         }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use terramechanics::{Error, Heading, Method, Outcome, cautions};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{AnglesReply, Reply, Warning};
 use crate::request::ForcesQuery;
 
@@ -50,7 +51,7 @@ pub(crate) struct ForcesReply {
     aligning_moment_n_m: Option<f64>,
     /// F_x/F_z (–); null where F_z is not positive.
     drawbar_coefficient: Option<f64>,
-    /// F_x v/(T ω) (–); null unless the wheel drives.
+    /// F_x v/(T ω) (–), the power at the axle over that of the torque; null unless the wheel drives. Negative where a driven wheel has to be pulled all the same, and then it has no lower bound.
     tractive_efficiency: Option<f64>,
     /// Sinkage modulus K_s (Pa/m^N).
     sinkage_modulus: f64,
@@ -106,6 +107,7 @@ impl TryFrom<&ForcesQuery> for ForcesReply {
         let forces = point.forces.heading(motion.heading);
         let parts = &forces.components;
         let mut warnings: Vec<Warning> = cautions(operation, &Outcome::from(&point)).map(Warning::from).collect();
+        warnings.extend(system_warnings(wheel, operation.system.soil.params()));
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
         }

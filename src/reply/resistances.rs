@@ -6,6 +6,7 @@ use serde::Serialize;
 use terramechanics::{Error, Lacking, Resistances};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{Reply, Warning};
 use crate::request::ResistancesQuery;
 
@@ -37,6 +38,7 @@ impl TryFrom<&ResistancesQuery> for ResistancesReply {
         let found = Resistances::of(system, *normal_load, *slip)?;
         let all = [found.rigid_wheel_sinkage, found.compaction, found.bulldozing, found.thrust];
         let mut warnings: Vec<Warning> = found.cautions(system, *slip).map(Warning::from).collect();
+        warnings.extend(system_warnings(&system.wheel, system.soil.params()));
         warnings
             .extend(COLUMNS.into_iter().zip(all).filter_map(|(name, estimate)| Some(Warning::of_null(name, &estimate.err()?))));
         let [rigid_wheel_sinkage_m, compaction_resistance_n, bulldozing_resistance_n, thrust_n] = all.map(Result::ok);

@@ -8,7 +8,7 @@ use terramechanics::{Error, Outcome, SideColumns, SlipSweep, cautions};
 use utoipa::ToSchema;
 
 use super::forces::{COLUMNS, SIDE_COLUMNS, method_name};
-use super::warning::{RowCautions, rows_in_words};
+use super::warning::{RowCautions, rows_in_words, system_warnings};
 use super::{Column, Reply, Warning};
 use crate::request::{SweepQuery, error_pointer};
 
@@ -89,6 +89,7 @@ impl From<&SweepQuery> for SweepReply {
             cautious.add(row, cautions(operation, &outcome));
         }
         warnings.extend(cautious.into_warnings(slips.len()));
+        warnings.extend(system_warnings(&operation.system.wheel, operation.system.soil.params()));
         Self { method: method_name(&operation.model.method), columns: sweep.into(), warnings }
     }
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use terramechanics::{Error, Heading, Outcome, StressProfile, cautions};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{AnglesReply, Column, Reply, Warning};
 use crate::request::ProfileQuery;
 
@@ -81,6 +82,7 @@ impl TryFrom<&ProfileQuery> for ProfileReply {
             mobilised_share: None,
         };
         let mut warnings: Vec<Warning> = cautions(operation, &outcome).map(Warning::from).collect();
+        warnings.extend(system_warnings(&operation.system.wheel, operation.system.soil.params()));
         if motion.heading == Heading::Backward {
             warnings.push(Warning::mirrored());
         }

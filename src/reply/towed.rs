@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics::{Error, Outcome, cautions};
+use terramechanics::{Error, Outcome, WheelOnSoil, cautions};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{AnglesReply, Reply, Warning};
 use crate::request::TowedQuery;
 
@@ -42,12 +43,13 @@ impl TryFrom<&TowedQuery> for TowedReply {
             integration_error: towed.forces.integration_error,
             mobilised_share: None,
         };
+        let WheelOnSoil { wheel, soil, .. } = &operation.system;
         Ok(Self {
             slip,
             sinkage_m: towed.sinkage,
             towing_resistance_n: towed.resistance(),
             angles: angles.into(),
-            warnings: cautions(operation, &outcome).map(Warning::from).collect(),
+            warnings: cautions(operation, &outcome).map(Warning::from).chain(system_warnings(wheel, soil.params())).collect(),
             row: [slip, towed.sinkage, towed.resistance(), angles.entry, angles.peak, angles.exit],
         })
     }

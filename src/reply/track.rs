@@ -5,6 +5,7 @@ use terramechanics::{CautionTally, Channel, CulpritTally, Event, Status, Tally, 
 use terramechanics_identification::{RunningStrength, StrengthTally};
 use utoipa::ToSchema;
 
+use super::warning::system_warnings;
 use super::{Column, Warning};
 use crate::request::TrackPlan;
 use crate::series::{Column as SeriesColumn, SeriesFault, StrengthCells, Unreadable};
@@ -197,6 +198,7 @@ impl Findings {
             .map(|tally| tally.count)
             .sum();
         warnings.extend(tracker.cautions().iter().map(|tally| caution(tally, good)));
+        warnings.extend(system_warnings(&tracker.system().wheel, tracker.system().soil.params()));
         if tracker.has_moved_backward() {
             warnings.push(Warning::mirrored());
         }
@@ -252,7 +254,7 @@ fn without_result(tracker: &Tracker, status: Status, tally: &Tally) -> Warning {
     let culprits = || tracker.culprits().iter().filter(|culprit| culprit.status == status);
     let why = match status {
         Status::MissingValue => format!("a value is missing: {}", culprits().map(missing).collect::<Vec<_>>().join(", ")),
-        Status::OutOfRange => joined(culprits().map(|culprit| out_of_range(culprit, tracker.wheel().radius()))),
+        Status::OutOfRange => joined(culprits().map(|culprit| out_of_range(culprit, tracker.system().wheel.radius()))),
         Status::SlipOutOfRange => joined(culprits().map(slip_out_of_range)),
         Status::TimeBackwards => "the time is before that of the sample before; no energy is added there".to_owned(),
         _ => reason(tally),

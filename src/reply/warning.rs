@@ -1,8 +1,11 @@
 //! What a result says about itself.
 
 use serde::Serialize;
-use terramechanics::{Caution, CautionKind, TestedRange};
+use terramechanics::{Caution, CautionKind, SoilParams, TestedRange, Wheel};
 use utoipa::ToSchema;
+
+use super::identify::words::number;
+use crate::catalogue::{self, Extent, Outside};
 
 /// A reason to take the result with care.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
@@ -45,6 +48,24 @@ impl From<Caution> for Warning {
         };
         Self { code, detail: caution.to_string(), range: range.as_ref().map(of_value) }
     }
+}
+
+impl From<Outside> for Warning {
+    fn from(Outside { extent: &Extent { quantity, lower, upper, .. }, value }: Outside) -> Self {
+        let (side, extreme) = match lower {
+            Some(lower) if value < lower => ("below the least", lower),
+            _ => ("above the largest", upper),
+        };
+        let detail =
+            format!("{quantity} is {}, far {side} of the catalogue, {}: is the unit right?", number(value), number(extreme));
+        let range = Range { quantity, value, lower, upper: Some(upper), source: "the catalogue of this service" };
+        Self { code: "outside_catalogue", detail, range: Some(range) }
+    }
+}
+
+/// The warnings that a wheel and a soil carry wherever they are: of values far beyond all that the catalogue has.
+pub(in crate::reply) fn system_warnings(wheel: &Wheel, soil: &SoilParams) -> impl Iterator<Item = Warning> + use<> {
+    catalogue::outside(wheel, soil).map(Warning::from)
 }
 
 impl Warning {

@@ -57,7 +57,8 @@ impl Spec for SlipAxisSpec {
 
 impl Wire for SlipAxis {
     type Spec = SlipAxisSpec;
-    const EXPECTED: &'static str = "an object with `from`, `to` and `points`, or an array of numbers";
+    const EXPECTED: &'static str =
+        "an object with `from`, `to` and `points` (in a query `slip.from`, `slip.to` and `slip.points`), or an array of numbers";
 
     fn object<'de, A: MapAccess<'de>>(map: A) -> Result<Option<Self>, A::Error> {
         Ok(SlipRangeDto::object(map)?.map(Self::Range))

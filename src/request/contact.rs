@@ -59,7 +59,8 @@ impl ContactDto {
         let rule = match rule?.name {
             "midpoint" => PeakRule::Midpoint,
             "half_sinkage" => PeakRule::HalfSinkage,
-            _ => PeakRule::WongReece { c1: c1?, c2: c2? },
+            "wong_reece" => PeakRule::WongReece { c1: c1?, c2: c2? },
+            unread => return place.unread(unread),
         };
         Contact::new(ContactParams { rule, exit_ratio: exit_ratio? }).map_err(|invalid| place.fault(invalid)).ok()
     }

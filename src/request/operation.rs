@@ -11,7 +11,8 @@ use super::side_slip::SideSlipEntries;
 use super::soil::numbers_of;
 use super::{ContactDto, SoilDto, WheelDto};
 use crate::wire::{
-    Choice, Entry, FieldFault, Lambda, LambdaSpec, Nested, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object,
+    Choice, Entry, FieldFault, Lambda, LambdaSpec, Nested, Number, Object, Scope, Spec, Variant, in_millimetres, tagged_schema,
+    wire_object,
 };
 
 pub(super) const WHEEL: Nested<WheelDto> = Nested::required("The wheel.");
@@ -24,9 +25,9 @@ pub(super) const ANGULAR_VELOCITY: Number =
     Number::new("Angular velocity ω of the wheel (rad/s), positive when it rolls forward.", -1e4, 1e4);
 pub(super) const SLIP: Number =
     Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0).share();
-pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0);
+pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0).length();
 pub(super) const STATIC_SINKAGE: Number =
-    Number::new("Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", 1e-9, 100.0);
+    Number::new("Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", 1e-9, 100.0).length();
 pub(super) const SLIP_SINKAGE: Nested<SlipSinkageDto> =
     Nested::optional("Slip–sinkage law beside static_sinkage_m; lyasko unless given.");
 pub(super) const NORMAL_LOAD: Number = Number::new("Vertical load W (N); the sinkage is solved so that F_z = W.", 1e-9, 1e12);
@@ -273,7 +274,8 @@ pub(super) fn normal_stress_radius_of(entry: &Entry<'_, String>, place: &Scope<'
 pub(super) fn within_wheel(sinkage: f64, wheel: Option<&Wheel>, place: &Scope<'_>) -> Option<f64> {
     match wheel.map(Wheel::radius) {
         Some(radius) if sinkage > radius => {
-            place.fault(Error::SinkageOutsideWheel { sinkage, radius });
+            let meant = if sinkage >= 1.0 && sinkage / 1000.0 <= radius { in_millimetres(sinkage) } else { String::new() };
+            place.fault(format_args!("{}{meant}", Error::SinkageOutsideWheel { sinkage, radius }));
             None
         }
         _ => Some(sinkage),

@@ -1,5 +1,7 @@
 //! A time series in the columns of a JSON body.
 
+use std::borrow::Cow;
+
 use serde::de::SeqAccess;
 use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, SchemaType, Type};
@@ -13,7 +15,7 @@ use crate::wire::{Entry, Field, Scope, Spec, Wire, wire_object};
 pub(crate) struct Signal {
     values: Vec<f64>,
     /// The first item that is neither, and what it is.
-    wrong: Option<(usize, &'static str)>,
+    wrong: Option<(usize, Cow<'static, str>)>,
 }
 
 /// The description of a column.
@@ -133,8 +135,8 @@ impl Entry<'_, Signal> {
             place.fault(format_args!("must have from 1 to {MOST_IN_COLUMNS} values; a longer series can be sent as a stream"));
             return None;
         }
-        if let Some((at, found)) = signal.wrong {
-            place.item(at).fault(format_args!("must be a number or null, not {found}"));
+        if let Some((at, found)) = &signal.wrong {
+            place.item(*at).fault(format_args!("must be a number or null, not {found}"));
             return None;
         }
         Some(signal.values.clone())

@@ -18,9 +18,9 @@ wire_object! {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
         cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
         friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle(),
-        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0),
+        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0).length(),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
-        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); the shear law's own length unless given or in the catalogue.", 1e-6, 10.0),
+        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.", 1e-6, 10.0).length(),
         unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.", 1.0, 1e6),
         shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
     }
@@ -48,7 +48,15 @@ impl SoilDto {
         let optional = |entry: Entry<'_, f64>| {
             if entry.is_present() { entry.checked(place) } else { preset.and_then(|record| record.number(entry.name)) }
         };
-        let lateral_shear_modulus = optional(self.lateral_shear_modulus_m());
+        // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
+        let beside_another_law = || match shear {
+            Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => optional(self.shear_modulus_m()),
+            Some(ShearLaw::JanosiHanamoto(_)) | None => None,
+        };
+        let lateral_shear_modulus = match self.lateral_shear_modulus_m() {
+            entry if entry.is_present() => entry.checked(place),
+            entry => preset.and_then(|record| record.number(entry.name)).or_else(beside_another_law),
+        };
         let unit_weight = optional(self.unit_weight_n_m3());
         let law = self.pressure_sinkage();
         let pressure_sinkage = if law.is_present() {
@@ -73,6 +81,8 @@ impl SoilDto {
         }
         let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
         let soil = preset.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
+        let fitted_slip = preset.filter(|_| !law.is_present()).and_then(|record| record.largest_fitted_slip);
+        let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
         Some((soil, preset.and_then(SoilRecord::contact)))
     }
 
@@ -189,7 +199,7 @@ wire_object! {
     ShearDto as "Shear" with shear_schema {
         law: String = Choice { doc: "Name of the law.", words: shear_law_names, default: None },
         residual_ratio: f64 = Number::new("Residual over largest strength K_r (–).", 1e-3, 1.0),
-        peak_displacement_m: f64 = Number::new("Shear displacement K_w at the largest strength (m).", 1e-6, 10.0),
+        peak_displacement_m: f64 = Number::new("Shear displacement K_w at the largest strength (m).", 1e-6, 10.0).length(),
     }
 }
 
@@ -206,7 +216,8 @@ impl ShearDto {
                 residual_ratio: residual_ratio?,
                 peak_displacement: peak_displacement?,
             })),
-            _ => Some(ShearLaw::WongPeak(WongPeak { peak_displacement: peak_displacement? })),
+            "wong_peak" => Some(ShearLaw::WongPeak(WongPeak { peak_displacement: peak_displacement? })),
+            unread => return place.unread(unread),
         })
     }
 }
@@ -300,7 +311,8 @@ impl PressureSinkageDto {
             "bekker" => PressureSinkage::Bekker(Bekker { k_c: k_c?, k_phi: k_phi?, exponent }),
             "direct" => PressureSinkage::Direct(Direct { k_s: k_s?, exponent }),
             "reece" => PressureSinkage::Reece(Reece { k_c: k_c?, k_phi: k_phi?, unit_weight: unit_weight?, exponent }),
-            _ => PressureSinkage::Diameter(Diameter { k: k?, m: m?, exponent }),
+            "diameter" => PressureSinkage::Diameter(Diameter { k: k?, m: m?, exponent }),
+            unread => return place.unread(unread),
         })
     }
 }
@@ -319,11 +331,8 @@ pub(super) fn numbers_of<const N: usize>(
         Some(variant) => {
             if entry.is_present() {
                 let takes: Vec<&str> = variant.fields().collect();
-                place.field(entry.name).fault(format_args!(
-                    "`{}` has no such field; it takes {}",
-                    variant.name,
-                    takes.join(", ")
-                ));
+                let takes = if takes.is_empty() { "no further field".to_owned() } else { takes.join(", ") };
+                place.field(entry.name).fault(format_args!("`{}` has no such field; it takes {takes}", variant.name));
             }
             None
         }

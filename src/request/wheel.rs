@@ -9,9 +9,9 @@ wire_object! {
     /// A rigid wheel. Without `preset`, `radius_m` and `width_m` are required; with it, any field beside it overrides the catalogue's.
     WheelDto as "Wheel" {
         preset: String = Choice { doc: "A wheel of the catalogue, see /v1/wheels.", words: catalogue::wheel_ids, default: None },
-        radius_m: f64 = Number::new("Rim radius r (m).", 1e-3, 100.0),
-        width_m: f64 = Number::new("Width b (m).", 1e-3, 100.0),
-        lug_height_m: f64 = Number::new("Lug height h (m); 0 unless given or in the catalogue.", 0.0, 10.0),
+        radius_m: f64 = Number::new("Rim radius r (m).", 1e-3, 100.0).length(),
+        width_m: f64 = Number::new("Width b (m).", 1e-3, 100.0).length(),
+        lug_height_m: f64 = Number::new("Lug height h (m); 0 unless given or in the catalogue.", 0.0, 10.0).length(),
         lug_coefficient: f64 = Number::new("Lug coefficient λ_s [–]: the shear stress acts at r + λ_s h; 0.5 unless given or in the catalogue.", 0.0, 1.0),
     }
 }
@@ -23,7 +23,7 @@ impl WheelDto {
         let preset = self.preset().looked_up(place, catalogue::wheel);
         let unknown_preset = self.preset().is_present() && preset.is_none();
         let value = |entry: &Entry<'_, f64>, otherwise: Option<f64>| {
-            let published = || preset.and_then(|record| record.values.get(entry.name)).map(|value| value.value);
+            let published = || preset.and_then(|record| record.number(entry.name));
             if entry.is_present() {
                 return entry.checked(place);
             }

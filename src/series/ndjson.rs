@@ -117,7 +117,7 @@ impl NdjsonReader {
             match entry.field {
                 Field::Absent => continue,
                 Field::Given(value) => row.cells[index] = *value,
-                Field::Wrong("null") => {}
+                Field::Wrong(found) if found == "null" => {}
                 Field::Wrong(found) => {
                     let fault = || self.fault(0, format!("`{}` must be a number or null, not {found}", entry.name));
                     if self.layout.is_none() {

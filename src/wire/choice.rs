@@ -3,7 +3,7 @@
 use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 
-use super::{Entry, Scope, Spec, Wire};
+use super::{Entry, Scope, Spec, Wire, nearest};
 
 /// One of some words.
 #[derive(Debug)]
@@ -61,19 +61,6 @@ pub(crate) fn unknown_word(place: &Scope<'_>, word: &str, known: &[&str]) {
     }
 }
 
-/// The known word that resembles `word` most, if one does.
-pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
-    let word = shortened(word);
-    let resemblance = |candidate: &str| {
-        // A part of a name (`radius` for `radius_m`) is as good a hint as a typo; a letter or two are in too many.
-        const SHORTEST_PART: usize = 3;
-        let part = word.len() >= SHORTEST_PART && (candidate.contains(&word) || word.contains(candidate));
-        strsim::normalized_damerau_levenshtein(&word, candidate) + if part { 0.5 } else { 0.0 }
-    };
-    let best = known.iter().copied().map(|candidate| (resemblance(candidate), candidate)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (best.0 >= 0.5).then_some(best.1)
-}
-
 /// A client's word, cut to a length that is fit for a message.
 pub(crate) fn shortened(word: &str) -> String {
     const LONGEST: usize = 60;
@@ -83,17 +70,6 @@ pub(crate) fn shortened(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_nearest_name_is_the_one_meant() {
-        let known = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
-        assert_eq!(nearest("radius", &known), Some("radius_m"));
-        assert_eq!(nearest("raduis_m", &known), Some("radius_m"));
-        assert_eq!(nearest("lug_hieght_m", &known), Some("lug_height_m"));
-        assert_eq!(nearest("colour", &known), None);
-        assert_eq!(nearest("", &known), None);
-        assert_eq!(nearest("r", &["preset", "radius_m", "width_m"]), None);
-    }
 
     #[test]
     fn a_long_word_is_cut() {

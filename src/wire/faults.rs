@@ -54,6 +54,12 @@ impl<'a> Scope<'a> {
         self.faults.borrow_mut().push(FieldFault { pointer: self.pointer(), detail: detail.to_string() });
     }
 
+    /// Reports a name that stands in a table of variants and that nothing reads: a new one must not become another.
+    pub(crate) fn unread<T>(&self, name: &str) -> Option<T> {
+        self.fault(format_args!("`{name}` is not computed"));
+        None
+    }
+
     /// Reports a fault of a field whose name came from the client.
     pub(crate) fn fault_of(&self, name: &str, detail: impl Display) {
         let pointer = format!("{}/{}", self.pointer(), name.replace('~', "~0").replace('/', "~1"));

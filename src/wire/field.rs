@@ -1,11 +1,13 @@
 //! A field as it was sent.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
 use serde::de::{Deserialize, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
-use super::Spec;
+use super::query::number;
+use super::{Spec, shortened};
 
 /// What a client sent for one field.
 #[derive(Debug, Clone, Default)]
@@ -15,8 +17,8 @@ pub(crate) enum Field<T> {
     Absent,
     /// A value of the right type.
     Given(T),
-    /// A value of another type, which is named.
-    Wrong(&'static str),
+    /// A value of another type, in words.
+    Wrong(Cow<'static, str>),
 }
 
 /// A type that a field may have, by what it makes of each kind of JSON value; `None` is the wrong type.
@@ -58,8 +60,13 @@ impl<'de, T: Wire> Deserialize<'de> for Field<T> {
 struct FieldVisitor<T>(PhantomData<T>);
 
 impl<T> Field<T> {
+    /// A value of another type, which is named.
+    fn wrong(found: &'static str) -> Self {
+        Self::Wrong(Cow::Borrowed(found))
+    }
+
     fn of(value: Option<T>, found: &'static str) -> Self {
-        value.map_or(Self::Wrong(found), Self::Given)
+        value.map_or_else(|| Self::wrong(found), Self::Given)
     }
 }
 
@@ -87,11 +94,22 @@ impl<'de, T: Wire> Visitor<'de> for FieldVisitor<T> {
     }
 
     fn visit_unit<E>(self) -> Result<Self::Value, E> {
-        Ok(Field::Wrong("null"))
+        Ok(Field::wrong("null"))
     }
 
     fn visit_str<E>(self, value: &str) -> Result<Self::Value, E> {
         Ok(Field::of(T::text(value), "a string"))
+    }
+
+    /// The text of a query, where nothing tells a text from a number: it is repeated, so that one sees what stood in its way.
+    fn visit_bytes<E>(self, value: &[u8]) -> Result<Self::Value, E> {
+        let text = String::from_utf8_lossy(value);
+        if let Some(value) = T::text(&text) {
+            return Ok(Field::Given(value));
+        }
+        let hint = if number(&text.replacen(',', ".", 1)).is_some() { ", whose decimal point is a comma" } else { "" };
+        let found = if text.is_empty() { "nothing".to_owned() } else { format!("`{}`{hint}", shortened(&text)) };
+        Ok(Field::Wrong(found.into()))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Self::Value, A::Error> {

@@ -9,24 +9,28 @@ mod choice;
 mod entry;
 mod faults;
 mod field;
+mod hint;
 mod label;
 mod list;
 mod number;
 mod object;
 mod query;
 mod series;
+mod syntax;
 
 pub(crate) use asked::{Asked, AskedSpec};
-pub(crate) use choice::{Choice, nearest, shortened, unknown_word};
+pub(crate) use choice::{Choice, shortened, unknown_word};
 pub(crate) use entry::Entry;
 pub(crate) use faults::{FieldFault, Scope};
 pub(crate) use field::{Field, Wire, read};
+pub(crate) use hint::nearest;
 pub(crate) use label::{Label, LabelSpec};
 pub(crate) use list::{List, ListSpec};
-pub(crate) use number::{Lambda, LambdaSpec, Number};
+pub(crate) use number::{Lambda, LambdaSpec, Number, in_millimetres};
 pub(crate) use object::{Nested, Object, Oddity, Variant, named_shapes, object_schema, read_name, tagged_schema, wire_object};
 pub(crate) use query::Query;
 pub(crate) use series::{Each, EachSpec, MOST_NUMBERS, Names, NamesSpec, Pair, PairSpec, Series, SeriesSpec};
+pub(crate) use syntax::fault_in_words;
 
 use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
 use utoipa::openapi::{RefOr, Required, Schema};
@@ -50,6 +54,11 @@ pub(crate) trait Spec {
         };
         let parameter = ParameterBuilder::new().name(name).parameter_in(ParameterIn::Query).required(Required::False);
         found.push(parameter.description(description).schema(Some(schema)).build());
+    }
+
+    /// The names of the fields of an object; none of anything else.
+    fn names_within(&self) -> &'static [&'static str] {
+        &[]
     }
 
     /// Whether a request without the field is refused whatever else it has.

@@ -28,6 +28,8 @@ enum Mistake {
     Degrees,
     /// Hundredths instead of a share.
     Percent,
+    /// Millimetres instead of metres.
+    Millimetres,
 }
 
 impl Number {
@@ -54,6 +56,11 @@ impl Number {
     /// A share, which some send in per cent.
     pub(crate) const fn share(self) -> Self {
         Self { often_mistaken: Some(Mistake::Percent), ..self }
+    }
+
+    /// A length in metres, which some send in millimetres.
+    pub(crate) const fn length(self) -> Self {
+        Self { often_mistaken: Some(Mistake::Millimetres), ..self }
     }
 
     /// The object is refused without it.
@@ -84,17 +91,22 @@ impl Number {
 
     /// The number that was probably meant by one that is out of bounds, in words.
     fn probably_meant(&self, value: f64) -> String {
-        let fits = |value: f64| value.abs() >= self.min.max(0.0) && value.abs() < self.max;
         match self.often_mistaken {
-            Some(Mistake::Degrees) if value.abs() <= 180.0 && fits(value.to_radians()) => {
+            Some(Mistake::Degrees) if value.abs() <= 180.0 && self.allows(value.to_radians()) => {
                 format!("; it is in radians: {value}° are {:.4}", value.to_radians())
             }
-            Some(Mistake::Percent) if value.abs() <= 100.0 && fits(value / 100.0) => {
+            Some(Mistake::Percent) if value.abs() <= 100.0 && self.allows(value / 100.0) => {
                 format!("; it is a share: {value} % are {}", value / 100.0)
             }
+            Some(Mistake::Millimetres) if value > self.max && self.allows(value / 1000.0) => in_millimetres(value),
             _ => String::new(),
         }
     }
+}
+
+/// What a length would be in millimetres.
+pub(crate) fn in_millimetres(value: f64) -> String {
+    format!("; it is in metres: {value} mm are {}", value / 1000.0)
 }
 
 /// A number as people write it: with an exponent only where zeros would have to be counted.
@@ -223,6 +235,10 @@ mod tests {
         let share = Number::new("", -1.0, 1.0).share();
         assert!(said(share, 20.0).ends_with(", not 20; it is a share: 20 % are 0.2"));
         assert!(said(share, -35.0).ends_with("-35 % are -0.35"));
+        assert!(said(share, 100.0).ends_with(", not 100; it is a share: 100 % are 1"));
         assert!(said(share, 2e3).ends_with(", not 2000"));
+        let length = Number::new("", 1e-3, 100.0).length();
+        assert!(said(length, 125.0).ends_with(", not 125; it is in metres: 125 mm are 0.125"));
+        assert!(said(length, 1e-4).ends_with(", not 0.0001"));
     }
 }

@@ -1,6 +1,5 @@
 //! Objects with named fields, declared once for reading, checking and the contract.
 
-use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
@@ -11,7 +10,8 @@ use utoipa::openapi::schema::{AdditionalProperties, ObjectBuilder, OneOfBuilder,
 use utoipa::openapi::{RefOr, Schema};
 
 use super::choice::shortened;
-use super::{Scope, Spec, nearest};
+use super::hint::unknown_field;
+use super::{Scope, Spec};
 
 /// A field name that does not belong where it stands.
 #[derive(Debug, Clone)]
@@ -33,6 +33,9 @@ pub(crate) trait Object {
     /// Adds the query parameters that stand for its fields, under the name of the object with a dot, or none.
     fn parameters(around: &str, found: &mut Vec<Parameter>);
 
+    /// The fields that are objects, with the names of theirs.
+    fn names_within() -> Vec<(&'static str, &'static [&'static str])>;
+
     /// Names that do not belong.
     fn oddities(&self) -> &[Oddity];
 
@@ -49,11 +52,8 @@ pub(crate) trait Object {
             match oddity {
                 Oddity::Repeated(name) => place.field(name).fault("is given more than once"),
                 Oddity::Unknown(name) => {
-                    let known = match nearest(name, Self::NAMES) {
-                        Some(near) => Cow::from(format!("did you mean `{near}`?")),
-                        None => Cow::from(format!("known are {}", Self::NAMES.join(", "))),
-                    };
-                    place.fault_of(&shortened(name), format_args!("unknown field; {known}"));
+                    let hint = unknown_field(name, Self::NAMES, &Self::names_within());
+                    place.fault_of(&shortened(name), format_args!("unknown field; {hint}"));
                 }
             }
         }
@@ -98,6 +98,10 @@ impl<T: ToSchema + Object> Spec for Nested<T> {
         if !self.required {
             found[outside..].iter_mut().for_each(|parameter| default_in_words(parameter, name));
         }
+    }
+
+    fn names_within(&self) -> &'static [&'static str] {
+        T::NAMES
     }
 
     fn is_required(&self) -> bool {
@@ -253,6 +257,12 @@ macro_rules! wire_object {
                 use $crate::wire::Spec;
                 let empty = Self::default();
                 $(empty.$field().spec.parameters(&format!("{around}{}", stringify!($field)), found);)+
+            }
+
+            fn names_within() -> Vec<(&'static str, &'static [&'static str])> {
+                use $crate::wire::Spec;
+                let empty = Self::default();
+                vec![$((stringify!($field), empty.$field().spec.names_within())),+]
             }
 
             fn oddities(&self) -> &[$crate::wire::Oddity] {

@@ -70,6 +70,11 @@ impl Query {
         (taken.into_iter().next().map_or(Field::Absent, |(_, value)| read(value)), several)
     }
 
+    /// The names of the parameters, each the first of its path.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.fields.iter().map(|(name, _)| name.as_str())
+    }
+
     /// The request object that the query stands for.
     pub(crate) fn read<T: Wire>(self) -> Field<T> {
         read(Value::Fields(self.fields))
@@ -97,7 +102,7 @@ fn insert<'a>(fields: &mut Vec<(String, Value)>, names: &mut impl Iterator<Item 
 
 fn read<T: Wire>(value: Value) -> Field<T> {
     // Nothing in a query can fail to be read: what has the wrong type becomes `Field::Wrong`.
-    Field::deserialize(value).unwrap_or(Field::Wrong("unreadable"))
+    Field::deserialize(value).unwrap_or(Field::Wrong("unreadable".into()))
 }
 
 impl<'de> IntoDeserializer<'de, Error> for Value {
@@ -116,7 +121,7 @@ impl<'de> Deserializer<'de> for Value {
             Self::Text(text) => match number(&text) {
                 Some(number) => visitor.visit_f64(number),
                 None if text == "true" => visitor.visit_bool(true),
-                None => visitor.visit_string(text),
+                None => visitor.visit_bytes(text.as_bytes()),
             },
             Self::Fields(fields) => visitor.visit_map(MapDeserializer::new(fields.into_iter())),
         }

@@ -46,6 +46,14 @@ fn the_pressure_sinkage_law_has_no_influence() {
 }
 
 #[test]
+fn a_result_beyond_the_tests_of_its_forms_says_so() {
+    assert_eq!(post("/v1/coupled", &measured(json!({}))).warned_of(), Vec::<String>::new());
+    let deep = json!({"slip": 0.95, "sinkage_m": 0.19});
+    assert_eq!(post("/v1/coupled", &measured(deep)).warned_of(), ["deep_sinkage", "slip_beyond_fit"]);
+    assert_eq!(post("/v1/coupled", &measured(json!({"slip": -0.2}))).warned_of(), ["slip_beyond_fit"]);
+}
+
+#[test]
 fn velocities_give_the_slip_and_a_wheel_that_turns_backwards_is_the_mirror_image() {
     let moving = |sign: f64, torque: Value| {
         let motion =

@@ -186,6 +186,62 @@ fn unknown_paths_and_methods_are_problems() {
 }
 
 #[test]
+fn a_path_or_method_that_is_not_there_leads_to_one_that_is() {
+    for (path, meant) in [("/v1/force", "/v1/forces"), ("/forces", "/v1/forces"), ("/v1/soils/", "/v1/soils")] {
+        let detail = get(path).problem(404)["detail"].as_str().expect("a detail").to_owned();
+        assert_eq!(detail, format!("no such path: {path}; did you mean {meant}?"));
+    }
+    for (method, path, use_instead) in [("GET", "/v1/compare", "use POST;"), ("DELETE", "/v1/forces", "use GET or POST;")] {
+        let problem = send(request(method, path, &[], Body::empty())).problem(405);
+        assert!(problem["detail"].as_str().expect("a detail").starts_with(use_instead), "{problem}");
+    }
+}
+
+/// A parameter that has no effect is refused and not ignored.
+#[test]
+fn a_query_where_none_is_taken_is_refused() {
+    let json = [("content-type", "application/json")];
+    let answer = send(request("POST", "/v1/forces?format=csv", &json, letter().to_string()));
+    assert!(answer.fault("/format").contains("Accept"), "{}", answer.text);
+    for path in ["/v1/model", "/v1/validation", "/v1/wheels/letter", "/v1/soils/letter-sand", "/v1/validation/ding-2011-smooth"] {
+        assert_eq!(get(&format!("{path}?frmat=csv")).pointers(), ["/frmat"], "{path}");
+    }
+    let set = get("/v1/validation/ding-2011-smooth?format=csv");
+    assert!(set.header("content-type").starts_with("text/csv"), "{}", set.text);
+    assert_eq!(get("/v1/validation/ding-2011-smooth?format=xml").pointers(), ["/format"]);
+}
+
+#[test]
+fn a_name_or_a_number_of_another_habit_is_told_what_was_meant() {
+    let fault = |changes: Value, pointer: &str| post("/v1/forces", &with(&letter(), changes)).fault(pointer);
+    for (changes, pointer, end) in [
+        (json!({"method": "exact"}), "/method", "did you mean `quadrature`?"),
+        (json!({"soil": {"phi": 0.5}}), "/soil/phi", "did you mean `friction_angle_rad`?"),
+        (json!({"soil": {"k_c": 0}}), "/soil/k_c", "`k_c` belongs in `pressure_sinkage`"),
+        (json!({"soil": {"pressure_sinkage": {"n": 1}}}), "/soil/pressure_sinkage/n", "did you mean `n0`?"),
+        (json!({"cohesion_pa": 0}), "/cohesion_pa", "`cohesion_pa` belongs in `soil`"),
+        (json!({"sinkage_mm": 20}), "/sinkage_mm", "`sinkage_m` is in m: 1 mm is 0.001 m"),
+        (json!({"wheel": {"radius_m": 125}}), "/wheel/radius_m", "125 mm are 0.125"),
+        (json!({"soil": {"shear_modulus_m": 25}}), "/soil/shear_modulus_m", "25 mm are 0.025"),
+        (json!({"sinkage_m": 20}), "/sinkage_m", "20 mm are 0.02"),
+        (json!({"slip": 100}), "/slip", "100 % are 1"),
+        (json!({"slip_sinkage": {"law": "lyasko", "gain": 1}}), "/slip_sinkage/gain", "it takes no further field"),
+    ] {
+        let said = fault(changes, pointer);
+        assert!(said.ends_with(end), "{pointer}: {said}");
+    }
+    let towed = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80, "slip": 0.1});
+    assert!(post("/v1/towed", &towed).fault("/slip").starts_with("unknown field; known are"));
+    let fit = |name: &str| post("/v1/identify", &json!({"fit": [name]})).fault("/fit/0");
+    assert!(fit("n").ends_with("did you mean `n0`?") && fit("phi").ends_with("did you mean `friction_angle_rad`?"));
+    let sweep = |slip: Value, pointer: &str| post("/v1/slip-sweep", &with(&letter(), json!({"slip": slip}))).fault(pointer);
+    assert!(sweep(json!({"from": 0, "to": 100, "points": 11}), "/slip/to").ends_with("100 % are 1"));
+    assert!(sweep(json!([0, 20]), "/slip/1").ends_with("20 % are 0.2"));
+    let one = post("/v1/forces", &with(&letter(), json!({"sinkage_m": -1}))).problem(422);
+    assert!(one["detail"].as_str().expect("a detail").starts_with("/sinkage_m: must be"), "{one}");
+}
+
+#[test]
 fn a_panic_is_a_500_without_details_and_the_next_request_works() {
     let service = Service::new(Limits::default());
     async fn panics() -> &'static str {

@@ -63,7 +63,6 @@ fn faults_have_the_pointers_and_words_of_the_body() {
         json!({"slip": {"from": 0}}),
         json!({"wheel": null}),
         json!({"wheel": 7}),
-        json!({"soil": "sand"}),
         json!({"sinkage_m": 0.3}),
         json!({"lambda_a": "exactly", "method": "explicit"}),
         json!({"contact": {"rule": "midpoint", "c1": 0.3}}),
@@ -91,6 +90,28 @@ fn what_is_no_json_number_is_refused() {
         assert_eq!(answer.pointers(), ["/slip"], "{text}");
         assert!(answer.fault("/slip").starts_with("must be"), "{text}");
     }
+}
+
+#[test]
+fn a_text_for_an_object_is_repeated() {
+    let rest = query_of(&with(&letter(), json!({"soil": null})));
+    assert_eq!(get(&format!("/v1/forces?{rest}&soil=sand")).fault("/soil"), "must be an object, not `sand`");
+    let sweep = get("/v1/slip-sweep?wheel.preset=letter&soil.preset=letter-sand&sinkage_m=0.02&slip=0,0.1").fault("/slip");
+    assert!(sweep.contains("`slip.from`, `slip.to` and `slip.points`"), "{sweep}");
+}
+
+#[test]
+fn a_text_for_a_number_is_repeated() {
+    let rest = query_of(&with(&letter(), json!({"sinkage_m": null})));
+    for (text, said) in [
+        ("80,5", "must be a number, not `80,5`, whose decimal point is a comma"),
+        ("NaN", "must be a number, not `NaN`"),
+        ("", "must be a number, not nothing"),
+    ] {
+        assert_eq!(get(&format!("/v1/forces?{rest}&normal_load_n={text}")).fault("/normal_load_n"), said);
+    }
+    let long = "x".repeat(5000);
+    assert!(get(&format!("/v1/forces?{rest}&normal_load_n={long}")).fault("/normal_load_n").chars().count() < 100);
 }
 
 #[test]

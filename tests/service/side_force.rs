@@ -89,6 +89,21 @@ fn only_coupled_stresses_change_the_forces_along_the_wheel() {
     );
 }
 
+/// Wong's laws do not take `shear_modulus_m`, which is all the same the default across the wheel where it is there.
+#[test]
+fn the_modulus_across_is_that_along_unless_another_is_sent() {
+    let lateral = |soil: Value| {
+        let shear = json!({"shear": {"law": "wong_peak", "peak_displacement_m": 0.02}});
+        let reply = post("/v1/forces", &with(&sand(json!({"soil": shear})), json!({"soil": soil}))).ok();
+        number(&reply, "lateral_force_n")
+    };
+    let (along, across) = (json!({"shear_modulus_m": 0.005}), json!({"lateral_shear_modulus_m": 0.005, "shear_modulus_m": null}));
+    assert_eq!(lateral(along), lateral(across));
+    let own_length = json!({"lateral_shear_modulus_m": 0.02, "shear_modulus_m": null});
+    assert_eq!(lateral(json!({"shear_modulus_m": null})), lateral(own_length.clone()));
+    assert_ne!(lateral(json!({"shear_modulus_m": 0.005})), lateral(own_length));
+}
+
 #[test]
 fn the_side_wall_needs_the_unit_weight_and_says_so() {
     let without = post("/v1/forces", &sand(json!({"soil": {"unit_weight_n_m3": null}})));

@@ -19,11 +19,11 @@
 //! above were derived anew from Eq. (11) for lugs and for both radii of the normal stress, and the tests hold them to the
 //! linearised method.
 
-use crate::caution::{Caution, NEGATIVE_NORMAL_STRESS};
+use crate::caution::{Caution, DEEP_SINKAGE, NEGATIVE_NORMAL_STRESS, SLIP_BEYOND_COUPLED_TESTS, system_cautions};
 use crate::error::{Error, Fault, Parameter, Requirement};
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
-use crate::rolling::Rolling;
-use crate::slip::Heading;
+use crate::rolling::{Rolling, WheelOnSoil};
+use crate::slip::{Heading, Slip};
 use crate::stress::ContactPatch;
 
 /// Share of the support by the normal stress that has to be left by the shear stress of a braking wheel: with less, seven
@@ -145,5 +145,12 @@ impl CoupledForces {
     #[must_use]
     pub fn caution(&self) -> Option<Caution> {
         NEGATIVE_NORMAL_STRESS.of(self.peak_normal_stress)
+    }
+
+    /// All that is to be taken with care at this slip and sinkage (m); nothing of the pressure–sinkage law, which cancels.
+    pub fn cautions(&self, system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
+        let deep = DEEP_SINKAGE.of(sinkage / system.wheel.radius());
+        let own = [self.caution(), deep, SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
+        own.into_iter().flatten().chain(system_cautions(system))
     }
 }

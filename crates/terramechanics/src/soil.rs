@@ -30,6 +30,8 @@ pub struct Soil {
     per_shear_scale: f64,
     /// Gravity where the soil lies (m/s²), if it is known.
     gravity: Option<f64>,
+    /// Largest slip (–) of the tests to which the gain of the sinkage exponent was fitted, if it is known.
+    largest_fitted_slip: Option<f64>,
 }
 
 impl Soil {
@@ -55,7 +57,8 @@ impl Soil {
             checks.extend(value.map(|value| (parameter, value, Requirement::Positive)));
         }
         InvalidInput::check(&checks)?;
-        Ok(Self { params, tan_friction: params.friction_angle.tan(), per_shear_scale: 1.0 / params.shear.scale(), gravity: None })
+        let (tan_friction, per_shear_scale) = (params.friction_angle.tan(), 1.0 / params.shear.scale());
+        Ok(Self { params, tan_friction, per_shear_scale, gravity: None, largest_fitted_slip: None })
     }
 
     /// The same soil, marked as one that lies in this gravity (m/s²). No force depends on it, as the weight of the wheel is
@@ -69,6 +72,19 @@ impl Soil {
     #[must_use]
     pub fn gravity(&self) -> Option<f64> {
         self.gravity
+    }
+
+    /// The same soil, marked as one whose gain of the sinkage exponent was fitted to tests up to this slip (–). No force
+    /// depends on it; results beyond carry a [`crate::Caution`].
+    #[must_use]
+    pub fn fitted_up_to(self, slip: f64) -> Self {
+        Self { largest_fitted_slip: Some(slip), ..self }
+    }
+
+    /// Largest slip (–) of the tests to which the gain of the sinkage exponent was fitted, if it is known.
+    #[must_use]
+    pub fn largest_fitted_slip(&self) -> Option<f64> {
+        self.largest_fitted_slip
     }
 
     /// The parameters it was made of.

@@ -4,7 +4,9 @@ mod common;
 
 use common::{EDGE_CASES, REFERENCE_CASES, cases, model_of, slip, system_of};
 use serde_json::Value;
-use terramechanics::Forces;
+use terramechanics::{Forces, ShearLaw};
+
+const WONG_CASES: &str = include_str!("reference/wong_shear.json");
 
 /// Closed forms: some tens of roundings.
 const CLOSED_FORM: f64 = 1e-12;
@@ -74,6 +76,23 @@ fn check(text: &str, at_least: usize) {
         }
     }
     assert!(solved >= 3 * 10, "only {solved} balances");
+}
+
+/// Wong's two shear laws, which the other cases do not have.
+#[test]
+fn wongs_shear_laws_agree_with_sixty_digits() {
+    let mut compared = [0, 0];
+    for case in cases(WONG_CASES) {
+        let (name, input) = (&case["name"], &case["input"]);
+        let system = system_of(input);
+        let rolling = system.rolling(slip(input["slip"].as_f64().expect("a slip"))).expect("a rolling wheel");
+        let patch = rolling.contact(input["sinkage_m"].as_f64().expect("a sinkage")).expect("a contact");
+        let forces = model_of(input, "quadrature").forces(&patch).expect("forces");
+        let off = deviation(&forces, &case["expected"]["quadrature"], rolling.system.wheel.shearing_radius());
+        assert!(off <= QUADRATURE, "{name}: off by {off:e}, estimated {:e}", forces.integration_error);
+        compared[usize::from(matches!(system.soil.shear(), ShearLaw::WongPeak(_)))] += 1;
+    }
+    assert!(compared.iter().all(|count| *count >= 6), "{compared:?} cases");
 }
 
 #[test]

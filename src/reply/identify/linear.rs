@@ -9,6 +9,7 @@ use super::words::{self, number};
 use super::{EstimateReply, IdentifyReply};
 use crate::reply::Warning;
 use crate::reply::soil::{ContactBody, SoilBody};
+use crate::reply::warning::system_warnings;
 use crate::request::{LinearQuery, fit_fault, name_of, refusal_pointer};
 use crate::wire::FieldFault;
 
@@ -33,6 +34,10 @@ impl IdentifyReply {
             .enumerate()
             .map(|(i, estimate)| EstimateReply { model_bias: bias.map(|bias| bias[i]), ..EstimateReply::from(estimate) });
         let soil = SoilBody::from(&found.setup.soil);
+        let mut warnings = warnings(&found, bias);
+        if *law_known {
+            warnings.extend(system_warnings(&setup.wheel, &found.setup.soil));
+        }
         Ok(Self {
             estimator: "linear",
             method: "linearised",
@@ -51,7 +56,7 @@ impl IdentifyReply {
             columns: IdentifyColumns::of(observations, sinkages(query), std::slice::from_ref(&found.torque)),
             soil: if *law_known { soil } else { soil.without_law() },
             contact: ContactBody::from(&setup.contact),
-            warnings: warnings(&found, bias),
+            warnings,
         })
     }
 }

@@ -15,6 +15,7 @@ use utoipa::ToSchema;
 use self::columns::IdentifyColumns;
 use super::forces::method_name;
 use super::soil::{ContactBody, SoilBody};
+use super::warning::system_warnings;
 use super::{Reply, Warning};
 use crate::request::{FitQuery, IdentifyQuery, column_name, fit_fault, name_of};
 use crate::wire::FieldFault;
@@ -141,7 +142,7 @@ impl From<&Estimate> for EstimateReply {
 
 /// What there is to say of a fit as a whole.
 fn warnings(query: &FitQuery, found: &Fit) -> Vec<Warning> {
-    let mut warnings = Vec::new();
+    let mut warnings: Vec<Warning> = system_warnings(&found.setup.wheel, &found.setup.soil).collect();
     let mut warn = |code: &'static str, detail: String| warnings.push(Warning::new(code, detail));
     let names = |open: bool| -> Vec<&'static str> {
         let estimates = found.estimates.iter().filter(|estimate| estimate.identifiability.is_determined() != open);

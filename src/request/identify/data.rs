@@ -19,7 +19,7 @@ const fn deviation(doc: &'static str) -> EachSpec {
 wire_object! {
     /// Measurements as columns of one length. With `sinkage_m` the forces are predicted at the measured slip and sinkage; without it `normal_force_n` is the load, for which the sinkage is solved.
     DataDto as "FitData" {
-        slip: Series = column("Slip ratio s (–).", Number::new("Slip ratio s (–).", -1.0, 1.0), true),
+        slip: Series = column("Slip ratio s (–).", Number::new("Slip ratio s (–).", -1.0, 1.0).share(), true),
         sinkage_m: Series = column("Sinkage z (m).", Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0), false),
         longitudinal_force_n: Series = column("Longitudinal force F_x (N).", FORCE, false),
         normal_force_n: Series = column("Normal force F_z (N); greater than 0 where it is the load.", FORCE, false),

@@ -40,8 +40,8 @@ pub(crate) fn name_of(unknown: Unknown) -> &'static str {
 
 // What a request may have for the same field elsewhere.
 const COHESION: Number = Number::new("Cohesion c (Pa).", 0.0, 1e8);
-const FRICTION: Number = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above();
-const SHEAR_MODULUS: Number = Number::new("Shear deformation modulus K (m).", 1e-6, 10.0);
+const FRICTION: Number = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle();
+const SHEAR_MODULUS: Number = Number::new("Shear deformation modulus K (m).", 1e-6, 10.0).length();
 const K_S: Number = Number::new("Sinkage modulus K_s of the direct law (Pa/m^N).", 1e-6, 1e15);
 const K_C: Number = Number::new("Cohesive modulus of Bekker's or Reece's law.", -1e9, 1e9);
 const K_PHI: Number = Number::new("Frictional modulus of Bekker's or Reece's law.", -1e9, 1e12);
@@ -50,7 +50,7 @@ const N1: Number = Number::new("Gain of the exponent with slip (–).", -10.0, 1
 const C1: Number = Number::new("c1 of θm = (c1 + c2 s) θ1 (–).", -1.0, 2.0);
 const C2: Number = Number::new("c2 of θm = (c1 + c2 s) θ1 (–).", -2.0, 2.0);
 const LAMBDA: Number = Number::new("λ of the explicit method (–).", -1.0, 1.0);
-const STATIC_SINKAGE: Number = Number::new("Static sinkage z0 (m).", 1e-9, 100.0);
+const STATIC_SINKAGE: Number = Number::new("Static sinkage z0 (m).", 1e-9, 100.0).length();
 
 wire_object! {
     /// Where the search begins, by parameter; else at the soil's value if it has one, else at a usual one.

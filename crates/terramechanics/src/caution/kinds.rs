@@ -5,11 +5,10 @@ use super::{CautionKind, TestedRange};
 /// Smallest diameter (m) for which Bekker's law holds without a correction (Meirion-Griffith & Spenko 2011).
 const SMALLEST_DIAMETER: f64 = 0.5;
 
-/// Largest sinkage over radius (–) of the single-wheel tests that the model was compared with: 30 mm under a wheel of 90 mm
-/// (Yoshida et al. 2003).
-const LARGEST_SINKAGE_RATIO: f64 = 0.3;
+/// Largest sinkage over radius (–) of the single-wheel tests of Yoshida et al. 2003: 30 mm under a wheel of 90 mm.
+const LARGEST_SINKAGE_RATIO: f64 = 30.0 / 90.0;
 
-/// Largest slip (–) of the tests to which slip gains were fitted (Ding et al. 2010, 2011).
+/// Largest slip (–) of the single-wheel tests to which slip gains were fitted (Ding et al. 2010, 2011).
 const LARGEST_FITTED_SLIP: f64 = 0.6;
 
 /// Width over the width −k_c/k_φ at which the sinkage modulus vanishes, below which the modulus hangs on the extrapolation
@@ -41,7 +40,8 @@ pub(crate) static SMALL_WHEEL: CautionKind = CautionKind {
 
 pub(crate) static DEEP_SINKAGE: CautionKind = CautionKind {
     code: "deep_sinkage",
-    meaning: "the wheel sinks deeper than in the tests of the model; the soil that piles up in front is not in it",
+    meaning: "the wheel sinks deeper than in the tests named; deeper ones are known of one wheel alone (Pavlov & Johnson 2024, up to \
+              0.87), whose soil was tuned to them; the soil that piles up in front is not in the model",
     range: Some(TestedRange {
         quantity: "sinkage over radius (–)",
         lower: None,
@@ -52,12 +52,53 @@ pub(crate) static DEEP_SINKAGE: CautionKind = CautionKind {
 
 pub(crate) static SLIP_BEYOND_FIT: CautionKind = CautionKind {
     code: "slip_beyond_fit",
-    meaning: "what the sinkage gains with slip was fitted up to this slip and extrapolates beyond",
+    meaning: "the gain of the sinkage exponent with slip was fitted to tests up to this slip and extrapolates beyond",
     range: Some(TestedRange {
         quantity: "slip (–)",
         lower: None,
         upper: Some(LARGEST_FITTED_SLIP),
         source: "Ding et al. 2010, 2011",
+    }),
+};
+
+pub(crate) static SLIP_BEYOND_OWN_FIT: CautionKind = CautionKind {
+    code: "slip_beyond_fit",
+    meaning: "the slip is beyond the tests to which the gain of this soil's sinkage exponent was fitted",
+    range: None,
+};
+
+pub(crate) static SLIP_BEYOND_LYASKO: CautionKind = CautionKind {
+    code: "slip_beyond_fit",
+    meaning: "no range is known here for Lyasko's slip–sinkage law; at this slip, the largest of the tests named, wheels had sunk to \
+              3 to 7 times the static sinkage, where the law gives 2.3 times",
+    range: Some(TestedRange {
+        quantity: "slip (–)",
+        lower: None,
+        upper: Some(LARGEST_FITTED_SLIP),
+        source: "single-wheel tests of Ding et al. 2010; Lyasko 2010 was not read for a range",
+    }),
+};
+
+pub(crate) static SLIP_BEYOND_LINEAR: CautionKind = CautionKind {
+    code: "slip_beyond_fit",
+    meaning: "no range was published with the linear slip–sinkage law, whose gain is the request's own; single-wheel tests of how the \
+              sinkage grows with slip go up to this slip",
+    range: Some(TestedRange {
+        quantity: "slip (–)",
+        lower: None,
+        upper: Some(LARGEST_FITTED_SLIP),
+        source: "single-wheel tests of Ding et al. 2010, 2011; none for the law of Lines 2021",
+    }),
+};
+
+pub(crate) static SLIP_BEYOND_COUPLED_TESTS: CautionKind = CautionKind {
+    code: "slip_beyond_fit",
+    meaning: "the coupled forms come from authors whose single-wheel tests had driving wheels up to this slip",
+    range: Some(TestedRange {
+        quantity: "slip (–)",
+        lower: Some(0.0),
+        upper: Some(LARGEST_FITTED_SLIP),
+        source: "single-wheel tests of Ding et al. 2011",
     }),
 };
 
@@ -72,6 +113,12 @@ pub(crate) static SLIP_SINKAGE_EXTRAPOLATED: CautionKind = CautionKind {
     code: "slip_sinkage_extrapolated",
     meaning: "the slip–sinkage law was fitted to driving wheels and is applied to a braking one",
     range: Some(TestedRange { quantity: "slip (–)", lower: Some(0.0), upper: None, source: "Lyasko 2010" }),
+};
+
+pub(crate) static LINEAR_SLIP_SINKAGE_EXTRAPOLATED: CautionKind = CautionKind {
+    code: "slip_sinkage_extrapolated",
+    meaning: "the linear slip–sinkage law was written for driving wheels and is applied to a braking one",
+    range: Some(TestedRange { quantity: "slip (–)", lower: Some(0.0), upper: None, source: "Lines 2021" }),
 };
 
 pub(crate) static NEGATIVE_COHESIVE_MODULUS: CautionKind = CautionKind {
@@ -144,7 +191,7 @@ pub(crate) static SINKAGE_BEYOND_ESTIMATES: CautionKind = CautionKind {
         quantity: "sinkage over diameter (–)",
         lower: None,
         upper: Some(crate::resistances::compaction::MODERATE_DEPTH),
-        source: "Bekker 1969, as quoted in course material",
+        source: "Bekker, as reported by Wong, Theory of Ground Vehicles, ch. 2",
     }),
 };
 

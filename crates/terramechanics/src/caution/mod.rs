@@ -16,6 +16,7 @@ use crate::operation::{OperatingPoint, Operation, Sinkage};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
+use crate::slip_sinkage::SlipSinkage;
 
 /// A reason to take a result with care.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +30,7 @@ pub struct Caution {
 /// Something that is watched.
 #[derive(Debug, PartialEq)]
 pub struct CautionKind {
-    /// A name for programs.
+    /// A name for programs; kinds that say the same of different laws share it.
     pub code: &'static str,
     /// What it means.
     pub meaning: &'static str,
@@ -80,12 +81,17 @@ impl From<&OperatingPoint> for Outcome {
 
 impl Caution {
     /// Everything that is watched.
-    pub const KINDS: [&'static CautionKind; 16] = [
+    pub const KINDS: [&'static CautionKind; 21] = [
         &SMALL_WHEEL,
         &DEEP_SINKAGE,
         &SLIP_BEYOND_FIT,
+        &SLIP_BEYOND_OWN_FIT,
+        &SLIP_BEYOND_LYASKO,
+        &SLIP_BEYOND_LINEAR,
+        &SLIP_BEYOND_COUPLED_TESTS,
         &SLIP_GAIN_EXTRAPOLATED,
         &SLIP_SINKAGE_EXTRAPOLATED,
+        &LINEAR_SLIP_SINKAGE_EXTRAPOLATED,
         &NEGATIVE_COHESIVE_MODULUS,
         &LOW_GRAVITY,
         &LUG_HEIGHT_ASSUMED,
@@ -139,7 +145,7 @@ impl fmt::Display for Caution {
 }
 
 /// The cautions that apply to whatever is found of a wheel on a soil.
-pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> {
+pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
     let low = system.soil.gravity().and_then(|gravity| LOW_GRAVITY.of(gravity));
     [low, LUG_HEIGHT_ASSUMED.when(system.wheel.lug_height_is_assumed())].into_iter().flatten()
 }
@@ -166,23 +172,44 @@ fn side_cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item
     [BULLDOZING_LEFT_OUT.when(left_out), not_mobilised].into_iter().flatten()
 }
 
+/// What the slip is beyond: the tests of the sinkage exponent's gain, where the soil has one.
+fn gain_cautions(system: &WheelOnSoil, slip: f64) -> [Option<Caution>; 2] {
+    let exponent = system.soil.pressure_sinkage().exponent();
+    if exponent.slip_gain == 0.0 {
+        return [None, None];
+    }
+    let beyond = match system.soil.largest_fitted_slip() {
+        Some(largest) => SLIP_BEYOND_OWN_FIT.when(slip > largest),
+        None => SLIP_BEYOND_FIT.of(slip),
+    };
+    [beyond, if exponent.skid_gain.is_none() { SLIP_GAIN_EXTRAPOLATED.of(slip) } else { None }]
+}
+
+/// What the slip is beyond: the tests of the slip–sinkage law, where one is used.
+fn slip_sinkage_cautions(sinkage: &Sinkage, slip: f64) -> [Option<Caution>; 2] {
+    let Sinkage::FromStatic { law, .. } = sinkage else { return [None, None] };
+    match law {
+        SlipSinkage::Lyasko => [SLIP_BEYOND_LYASKO.of(slip), SLIP_SINKAGE_EXTRAPOLATED.of(slip)],
+        SlipSinkage::Linear(_) => [SLIP_BEYOND_LINEAR.of(slip), LINEAR_SLIP_SINKAGE_EXTRAPOLATED.of(slip)],
+    }
+}
+
 /// The cautions that apply to the outcome of `operation`.
 pub fn cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> {
     let Operation { system, sinkage, .. } = operation;
     let slip = outcome.slip.ratio();
-    let exponent = system.soil.pressure_sinkage().exponent();
-    let from_static = matches!(sinkage, Sinkage::FromStatic { .. });
-    let gains = exponent.slip_gain != 0.0;
-    let only_when = |watched: bool, kind: &'static CautionKind| if watched { kind.of(slip) } else { None };
     let residual = match (sinkage, outcome.normal) {
         (Sinkage::CarryingLoad(load), Some(normal)) => (normal - load).abs() / load,
         _ => 0.0,
     };
+    let [beyond_gain, braking_gain] = gain_cautions(system, slip);
+    let [beyond_law, braking_law] = slip_sinkage_cautions(sinkage, slip);
     let of_outcome = [
         DEEP_SINKAGE.of(outcome.sinkage / system.wheel.radius()),
-        only_when(gains || from_static, &SLIP_BEYOND_FIT),
-        only_when(gains && exponent.skid_gain.is_none(), &SLIP_GAIN_EXTRAPOLATED),
-        only_when(from_static, &SLIP_SINKAGE_EXTRAPOLATED),
+        beyond_gain,
+        beyond_law,
+        braking_gain,
+        braking_law,
         PEAK_RULE_SET_ASIDE.when(!outcome.slip.is_driving() && system.contact.sets_rule_aside()),
         INTEGRATION_ERROR.of(outcome.integration_error),
         LOAD_RESIDUAL.of(residual),

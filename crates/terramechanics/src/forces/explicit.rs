@@ -1,7 +1,8 @@
 //! The letter's own explicit formulas (Eqs. 14–17): forces from slip and sinkage alone.
 //!
-//! With the published half sinkage at the peak and λ = 0 they carry 36–45 % less F_z than the quadrature where the peak is
-//! at the midpoint, because there the depth under the peak is about 0.75 z; with the half-sinkage rule, about 8 %.
+//! With the published half sinkage at the peak and λ = 0 they carry 34–40 % less F_z than the quadrature on the letter's wheel
+//! and sand where the peak is at the midpoint, because there the depth under the peak is about 0.75 z; with the half-sinkage
+//! rule, 3–9 %.
 
 use super::linearised::closed_form;
 use super::{ForceModel, Forces, Lambda, PeakDepth, ShapeIntegrals};

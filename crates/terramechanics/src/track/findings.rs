@@ -2,7 +2,7 @@
 
 use super::{CautionTally, CulpritTally, Status, Tally, Tracker};
 use crate::events::Event;
-use crate::wheel::Wheel;
+use crate::rolling::WheelOnSoil;
 
 impl Tracker {
     /// The events that have ended, and how many more there were than are kept.
@@ -41,10 +41,10 @@ impl Tracker {
         self.missing_load.as_ref()
     }
 
-    /// The wheel that is followed.
+    /// The wheel that is followed, on its soil.
     #[must_use]
-    pub fn wheel(&self) -> &Wheel {
-        &self.operation.system.wheel
+    pub fn system(&self) -> &WheelOnSoil {
+        &self.operation.system
     }
 
     /// The good samples for which the coupled form has no answer, if there were any.

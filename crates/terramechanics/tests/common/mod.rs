@@ -5,7 +5,7 @@ use serde_json::Value;
 use terramechanics::{
     Bekker, Contact, ContactParams, Diameter, Direct, ForceModel, Forces, JanosiHanamoto, Lambda, Method, NormalStressRadius,
     PeakDepth, PeakRule, PressureSinkage, Reece, ShearLaw, SinkageExponent, Slip, Soil, SoilParams, Wheel, WheelOnSoil,
-    WheelParams,
+    WheelParams, WongPeak, WongResidual,
 };
 
 /// The letter's wheel and soil (its Fig. 1b), as parameters to vary.
@@ -81,6 +81,16 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
         Some("half_sinkage") => PeakRule::HalfSinkage,
         other => panic!("no rule {other:?}"),
     };
+    let shear = &soil["shear"];
+    let peak_displacement = number(shear, "peak_displacement_m", f64::NAN);
+    let shear = match shear["law"].as_str() {
+        None => ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: required(soil, "shear_modulus_m") }),
+        Some("wong_residual") => {
+            ShearLaw::WongResidual(WongResidual { residual_ratio: required(shear, "residual_ratio"), peak_displacement })
+        }
+        Some("wong_peak") => ShearLaw::WongPeak(WongPeak { peak_displacement }),
+        other => panic!("no shear law {other:?}"),
+    };
     system(
         WheelParams {
             radius: required(wheel, "radius_m"),
@@ -91,7 +101,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
         SoilParams {
             cohesion: required(soil, "cohesion_pa"),
             friction_angle: required(soil, "friction_angle_rad"),
-            shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: required(soil, "shear_modulus_m") }),
+            shear,
             pressure_sinkage,
             unit_weight: soil.get("unit_weight_n_m3").and_then(Value::as_f64),
             lateral_shear_modulus: soil.get("lateral_shear_modulus_m").and_then(Value::as_f64),
