@@ -186,12 +186,17 @@ mod tests {
             "single_slip",
             "single_load",
             "normal_force_only",
+            "few_points",
             "at_bound",
             "model_misfit",
+            "deviations_too_large",
+            "column_missed",
+            "implausible_estimate",
             "law_replaced",
             "samples_left_out",
             "fitted_k_c_negative",
             "exponents_differ",
+            "rows_without_sinkage",
             "law_not_usable",
         ] {
             assert!(codes.contains(&code), "{code}");
