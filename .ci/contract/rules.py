@@ -89,6 +89,8 @@ def measurements(schemas):
     for name in ("FitData", "PlateColumns", "ShearColumns"):
         for column in schemas[name]["properties"].values():
             column["minItems"] = column["maxItems"] = 4
+    for column in schemas["PlateColumns"]["properties"].values():
+        column["items"]["minimum"] = 1e-6  # 0 is taken, but not in every row
     data = schemas["FitData"]
     load = requiring(data, ["normal_force_n", "torque_n_m"], without=["sinkage_m"])
     load["properties"]["normal_force_n"]["items"]["minimum"] = 1e-9

@@ -53,7 +53,7 @@ pub(crate) async fn plates(
     format: Format,
     Input(query): Input<PlatesDto>,
 ) -> Result<Response, Problem> {
-    let cost = Cost::of_curves(query.0.iter().map(|curve| curve.sinkage.len()).sum());
+    let cost = Cost::of_curves(query.curves.iter().map(|curve| curve.sinkage.len()).sum());
     let work = move || {
         let reply = PlatesReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
         written(&reply, format)

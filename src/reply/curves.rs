@@ -6,7 +6,7 @@ use serde::Serialize;
 use terramechanics_identification::{Estimate, fit_plates, fit_shear_curves};
 use utoipa::ToSchema;
 
-use super::identify::{EstimateReply, words};
+use super::identify::{EstimateReply, implausible, words};
 use super::{Column, Reply, Warning};
 use crate::request::{PlatesQuery, ShearTestsQuery, name_of, plates_fault, shear_fault};
 use crate::wire::FieldFault;
@@ -114,36 +114,38 @@ struct ShearColumns {
     residual_shear_stress_pa: Column,
 }
 
-/// Relative difference of the plates' own exponents beyond which one exponent does not describe them.
-const EXPONENTS_APART: f64 = 0.2;
-
 impl TryFrom<&PlatesQuery> for PlatesReply {
     type Error = FieldFault;
 
-    fn try_from(PlatesQuery(curves): &PlatesQuery) -> Result<Self, FieldFault> {
+    fn try_from(PlatesQuery { curves, left_out }: &PlatesQuery) -> Result<Self, FieldFault> {
         let found = fit_plates(curves).map_err(plates_fault)?;
         let [k_c, k_phi, n0] = found.estimates.each_ref().map(|estimate| estimate.value);
-        let own: Vec<f64> = found.plates.iter().filter_map(|plate| plate.own_exponent).collect();
-        let (least, largest) = own.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &n| (a.min(n), b.max(n)));
         let mut warnings = open(&found.estimates);
+        warnings.extend(implausible(&found.estimates, n0));
         let mut warn = |code, detail: String| warnings.push(Warning::new(code, detail));
-        if k_c < 0.0 {
+        if let Some(least_width) = found.least_width() {
             let narrowest = curves.iter().map(|curve| curve.width).fold(f64::INFINITY, f64::min);
             let detail = format!(
                 "k_c is negative, which least squares may give; the law then holds for widths above {} m only, and the narrowest plate has {} m",
-                words::number(-k_c / k_phi),
+                words::number(least_width),
                 words::number(narrowest)
             );
             warn("fitted_k_c_negative", detail);
         }
-        if largest - least > EXPONENTS_APART * n0.abs() {
-            let (least, largest) = (words::number(least), words::number(largest));
+        if let Some([least, largest]) = found.exponents_apart().map(|ends| ends.map(words::number)) {
             warn(
                 "exponents_differ",
                 format!("the plates' own exponents run from {least} to {largest}: one exponent does not describe them"),
             );
         }
-        if !(k_phi > 0.0 && n0 > 0.0) {
+        if *left_out > 0 {
+            let rows = if *left_out == 1 { "row" } else { "rows" };
+            warn(
+                "rows_without_sinkage",
+                format!("{left_out} {rows} without sinkage: a power of it tells nothing there, left out"),
+            );
+        }
+        if !found.is_a_soil() {
             warn("law_not_usable", "k_phi or n0 is not positive: no soil is described by such a law".to_owned());
         }
         let mut columns = PlateColumns::default();
@@ -162,7 +164,7 @@ impl TryFrom<&PlatesQuery> for PlatesReply {
             identifiable: found.estimates.iter().all(|estimate| estimate.identifiability.is_determined()),
             estimates: found.estimates.iter().map(EstimateReply::from).collect(),
             correlation: found.correlation.iter().map(|row| row.to_vec()).collect(),
-            degrees_of_freedom: found.freedom,
+            degrees_of_freedom: found.degrees_of_freedom,
             rmse_pa: found.rmse,
             plates: curves.iter().zip(&found.plates).map(plate).collect(),
             columns,
@@ -189,10 +191,10 @@ impl TryFrom<&ShearTestsQuery> for ShearReply {
             identifiable: found.estimates.iter().all(|estimate| estimate.identifiability.is_determined()),
             estimates: found.estimates.iter().map(EstimateReply::from).collect(),
             correlation: found.correlation,
-            degrees_of_freedom: found.freedom,
+            degrees_of_freedom: found.degrees_of_freedom,
             rmse_pa: found.rmse,
             columns,
-            warnings: open(&found.estimates),
+            warnings: open(&found.estimates).into_iter().chain(implausible(&found.estimates, f64::NAN)).collect(),
         })
     }
 }

@@ -5,8 +5,8 @@ use terramechanics_identification::{MOST_CURVES, MOST_PLATES, PlateCurve, Plates
 use super::Request;
 use crate::wire::{Entry, FieldFault, List, ListSpec, Nested, Number, Object, Scope, Series, SeriesSpec, wire_object};
 
-const SINKAGE: Number = Number::new("Sinkage z (m).", 1e-9, 100.0);
-const PRESSURE: Number = Number::new("Pressure p (Pa).", 1e-6, 1e12);
+const SINKAGE: Number = Number::new("Sinkage z (m).", 0.0, 100.0);
+const PRESSURE: Number = Number::new("Pressure p (Pa).", 0.0, 1e12);
 const DISPLACEMENT: Number = Number::new("Shear displacement j (m).", 0.0, 100.0);
 const SHEAR: Number = Number::new("Shear stress τ (Pa).", -1e12, 1e12);
 
@@ -15,7 +15,7 @@ const fn column(doc: &'static str, number: Number) -> SeriesSpec {
 }
 
 wire_object! {
-    /// Pressure over sinkage, as columns of one length.
+    /// Pressure over sinkage, as columns of one length. Rows without sinkage tell nothing of a power of it and are left out; of the others, one at least has to have a pressure.
     PlateColumnsDto as "PlateColumns" {
         sinkage_m: Series = column("Sinkage z (m).", SINKAGE),
         pressure_pa: Series = column("Pressure p (Pa).", PRESSURE),
@@ -73,7 +73,8 @@ fn pair(first: &Entry<'_, Series>, second: &Entry<'_, Series>, place: &Scope<'_>
 }
 
 impl PlateDto {
-    fn check(&self, place: &Scope<'_>) -> Option<PlateCurve> {
+    /// The curve, and how many rows without sinkage were left out of it.
+    fn check(&self, place: &Scope<'_>) -> Option<(PlateCurve, usize)> {
         self.report_oddities(place);
         let width = self.width_m().required_number(place);
         let around = place.field("columns");
@@ -81,8 +82,15 @@ impl PlateDto {
             columns.report_oddities(&around);
             pair(&columns.sinkage_m(), &columns.pressure_pa(), &around)
         });
-        let (sinkage, pressure) = columns?;
-        Some(PlateCurve { width: width?, sinkage, pressure })
+        let (sinkage, pressure): (Vec<f64>, Vec<f64>) = columns?;
+        let rows = sinkage.len();
+        let (sinkage, pressure): (Vec<f64>, Vec<f64>) = sinkage.into_iter().zip(pressure).filter(|(z, _)| *z > 0.0).unzip();
+        if sinkage.is_empty() {
+            around.field("sinkage_m").fault("has no value greater than 0");
+            return None;
+        }
+        let left_out = rows - sinkage.len();
+        Some((PlateCurve { width: width?, sinkage, pressure }, left_out))
     }
 }
 
@@ -101,7 +109,11 @@ impl ShearCurveDto {
 }
 
 /// Plate tests, checked.
-pub(crate) struct PlatesQuery(pub(crate) Vec<PlateCurve>);
+pub(crate) struct PlatesQuery {
+    pub(crate) curves: Vec<PlateCurve>,
+    /// Rows without sinkage.
+    pub(crate) left_out: usize,
+}
 
 /// Shear tests, checked.
 pub(crate) struct ShearTestsQuery(pub(crate) Vec<ShearCurve>);
@@ -110,7 +122,9 @@ impl Request for PlatesDto {
     type Query = PlatesQuery;
 
     fn check(&self, place: &Scope<'_>) -> Option<PlatesQuery> {
-        self.plates().each(place, PlateDto::check).map(PlatesQuery)
+        let checked = self.plates().each(place, PlateDto::check)?;
+        let left_out = checked.iter().map(|(_, left_out)| left_out).sum();
+        Some(PlatesQuery { curves: checked.into_iter().map(|(curve, _)| curve).collect(), left_out })
     }
 }
 

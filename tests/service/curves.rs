@@ -69,6 +69,52 @@ fn a_negative_cohesive_modulus_is_warned_of() {
     assert_eq!(reply["warnings"][0]["code"], "fitted_k_c_negative");
 }
 
+/// A plate test begins with a row of zeros, which says nothing of a power law.
+#[test]
+fn rows_without_sinkage_are_left_out_with_a_word() {
+    let mut body = plates();
+    for (name, value) in [("sinkage_m", 0), ("pressure_pa", 0)] {
+        body["plates"][0]["columns"][name].as_array_mut().expect("a column").insert(0, json!(value));
+    }
+    let reply = post("/v1/identify/plates", &body).ok();
+    assert_found(&reply, [("k_c", 1400.0), ("k_phi", 820_000.0), ("n0", 1.1)]);
+    assert_eq!(reply["warnings"][0]["code"], "rows_without_sinkage");
+    assert_eq!(reply["columns"]["sinkage_m"].as_array().map(Vec::len), Some(16));
+    body["plates"][0]["columns"] = json!({"sinkage_m": [0, 0], "pressure_pa": [0, 1]});
+    assert_eq!(post("/v1/identify/plates", &body).fault("/plates/0/columns/sinkage_m"), "has no value greater than 0");
+    body["plates"][0]["columns"] = json!({"sinkage_m": [0.01, 0.02], "pressure_pa": [0, 0]});
+    assert!(post("/v1/identify/plates", &body).fault("/plates/0").contains("not all 0"));
+}
+
+#[test]
+fn a_slip_of_the_units_is_called_implausible() {
+    let codes = |reply: &Value| reply["warnings"].to_string();
+    // Pressures in kPa.
+    let mut body = plates();
+    for plate in body["plates"].as_array_mut().expect("plates") {
+        let pressures = plate["columns"]["pressure_pa"].as_array_mut().expect("a column");
+        pressures.iter_mut().for_each(|p| *p = json!(1e-3 * p.as_f64().expect("a number")));
+    }
+    assert!(codes(&post("/v1/identify/plates", &body).ok()).contains("implausible_estimate"));
+    // Normal stresses in kPa beside shear stresses in Pa.
+    let mut body = shear();
+    for curve in body["curves"].as_array_mut().expect("curves") {
+        curve["normal_stress_pa"] = json!(1e-3 * curve["normal_stress_pa"].as_f64().expect("a number"));
+    }
+    let warnings = codes(&post("/v1/identify/shear", &body).ok());
+    assert!(warnings.contains("implausible_estimate") && warnings.contains("60 degrees"), "{warnings}");
+}
+
+#[test]
+fn a_modulus_bounded_from_above_alone_is_not_determined() {
+    let curve = |normal: f64, shear: [f64; 3]| json!({"normal_stress_pa": normal, "columns": {"displacement_m": [0.1, 0.2, 0.3], "shear_stress_pa": shear}});
+    let body = json!({"curves": [curve(1e3, [500.0, 501.0, 500.0]), curve(2e3, [900.0, 900.0, 901.0])]});
+    let reply = post("/v1/identify/shear", &body).ok();
+    let modulus = &reply["estimates"][2];
+    assert_eq!((&reply["identifiable"], &modulus["standard_error"]), (&json!(false), &Value::Null), "{reply}");
+    assert!(modulus["identifiability"].as_str().expect("words").contains("only from above"), "{modulus}");
+}
+
 #[test]
 fn curves_that_cannot_tell_are_refused_in_words() {
     let one_width = json!({"plates": [plate(0.1, 0.0, 1e6, 1.0), plate(0.1, 0.0, 1e6, 1.0)]});

@@ -151,6 +151,66 @@ fn what_cannot_be_unique_is_never_converged_without_saying_so() {
 }
 
 #[test]
+fn one_load_is_flagged_without_its_column_and_so_is_one_point() {
+    let point = |slip: f64| {
+        post("/v1/forces", &with(&with(&letter(), cohesive()), json!({"slip": slip, "sinkage_m": null, "normal_load_n": 80})))
+            .ok()
+    };
+    let points = SLIPS.map(point);
+    let of = |name: &str| -> Value { points.iter().map(|point| point[name].clone()).collect() };
+    let data = json!({"slip": SLIPS, "sinkage_m": of("sinkage_m"), "torque_n_m": of("torque_n_m"), "longitudinal_force_n": of("longitudinal_force_n")});
+    let mut body = request("quadrature");
+    body["data"] = data;
+    let reply = post("/v1/identify", &body).ok();
+    assert_eq!(reply["identifiable"], false, "{reply}");
+    assert!(codes(&reply).contains(&"single_load".to_owned()), "{:?}", codes(&reply));
+    let first = |name: &str| vec![request("explicit")["data"][name][3].clone(); 6];
+    let columns = ["slip", "sinkage_m", "torque_n_m", "longitudinal_force_n", "normal_force_n"];
+    let repeated: serde_json::Map<String, Value> = columns.iter().map(|name| ((*name).to_owned(), json!(first(name)))).collect();
+    let mut body = with(
+        &request("explicit"),
+        json!({"fit": ["friction_angle_rad", "k_s", "lambda_a"], "lambda_a": 0.0,
+        "soil": {"cohesion_pa": 400, "shear_modulus_m": 0.015, "pressure_sinkage": {"law": "direct", "n0": 0.91}}}),
+    );
+    body["data"] = Value::Object(repeated);
+    let reply = post("/v1/identify", &body).ok();
+    assert_eq!(reply["identifiable"], false, "{reply}");
+    assert!(codes(&reply).contains(&"few_points".to_owned()), "{:?}", codes(&reply));
+}
+
+/// Forces in kN beside a torque in N·m: the torque is not met at all.
+#[test]
+fn a_column_in_another_unit_is_said_to_be_missed() {
+    let mut body = request("linearised");
+    for name in ["longitudinal_force_n", "normal_force_n"] {
+        let values = body["data"][name].as_array_mut().expect("a column");
+        values.iter_mut().for_each(|value| *value = json!(1e-3 * value.as_f64().expect("a number")));
+    }
+    let reply = post("/v1/identify", &body).ok();
+    assert!(codes(&reply).contains(&"column_missed".to_owned()), "{reply}");
+    assert!(reply["warnings"].to_string().contains("torque_n_m is off by"), "{}", reply["warnings"]);
+}
+
+#[test]
+fn deviations_far_beyond_the_residuals_are_called_too_large() {
+    let deviations = json!({"standard_deviation": {"longitudinal_force_n": 5, "normal_force_n": 5, "torque_n_m": 0.5}});
+    let reply = post("/v1/identify", &with(&request("explicit"), deviations.clone())).ok();
+    assert_eq!(codes(&reply), ["deviations_too_large"]);
+    // Only their ratios count.
+    let tenth = json!({"standard_deviation": {"longitudinal_force_n": 0.5, "normal_force_n": 0.5, "torque_n_m": 0.05}});
+    let mut body = with(&request("explicit"), deviations);
+    body["data"]["torque_n_m"][2] = json!(body["data"]["torque_n_m"][2].as_f64().expect("a number") + 0.1);
+    let errors = |body: &Value| -> Vec<f64> {
+        let reply = post("/v1/identify", body).ok();
+        let estimates = reply["estimates"].as_array().expect("estimates").clone();
+        estimates.iter().map(|one| one["standard_error"].as_f64().expect("an error")).collect()
+    };
+    for (large, small) in errors(&body).iter().zip(errors(&with(&body, tenth))) {
+        assert!((large / small - 1.0).abs() < 1e-4, "{large} {small}");
+    }
+}
+
+#[test]
 fn an_estimate_at_a_bound_says_so() {
     let body =
         with(&request("explicit"), json!({"bounds": {"friction_angle_rad": [0.1, 0.4]}, "start": {"friction_angle_rad": 0.3}}));
@@ -342,7 +402,12 @@ fn bad_parameters_are_pointed_at() {
         faults(json!({"fit": ["n0"]})),
         ["/soil/cohesion_pa", "/soil/friction_angle_rad", "/soil/shear_modulus_m", "/soil/pressure_sinkage"]
     );
-    assert_eq!(faults(json!({"soil": null, "fit": ["n0"]})), ["/soil"]);
+    assert_eq!(
+        refused(json!({"soil": null, "fit": ["n0", "cohesion_pa", "k_c"]})).fault("/soil"),
+        "a soil is needed: neither given nor fitted are friction_angle_rad, shear_modulus_m, k_phi"
+    );
+    let fault = refused(json!({"soil": letter()["soil"], "fit": ["k_s"]})).fault("/fit/0");
+    assert!(fault.ends_with("fit `k_c` and `k_phi`, or choose the law `direct`"), "{fault}");
     assert_eq!(faults(json!({"bounds": {"n0": [2, 1]}})), ["/bounds/n0"]);
     assert_eq!(faults(json!({"bounds": {"n0": [0, 1]}})), ["/bounds/n0/0"]);
     assert_eq!(faults(json!({"bounds": {"n0": [1]}, "start": {"c1": 0.4}})), ["/start/c1", "/bounds/n0"]);

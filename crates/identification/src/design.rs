@@ -5,6 +5,7 @@
 //! that, since on the model's own terms they may still be independent.
 
 use crate::observations::{Observations, Quantity};
+use crate::setup::Prediction;
 use crate::unknown::Unknown;
 
 /// What the operating points do not vary.
@@ -12,8 +13,10 @@ use crate::unknown::Unknown;
 pub enum DesignGap {
     /// All samples have one slip: how strength builds up with it cannot be seen.
     OneSlip,
-    /// All samples have one load, or one sinkage where no normal force was measured.
+    /// All samples have one load, as measured or, where no normal force was measured, as far as the model can tell.
     OneLoad,
+    /// The samples repeat so few operating points that these give no more numbers than are sought.
+    FewPoints,
     /// Only the normal force is fitted, to which the shear stress adds a small part.
     NormalForceOnly,
 }
@@ -21,11 +24,22 @@ pub enum DesignGap {
 /// Range of slips that counts as one.
 pub(crate) const SLIP_SPREAD: f64 = 0.01;
 
-/// Standard deviation over mean of loads or sinkages that count as one: what a test bed holds a load to.
+/// Standard deviation over mean of loads that count as one: what a test bed holds a load to.
 pub(crate) const LOAD_SPREAD: f64 = 0.05;
 
+/// The same of loads that only the model knows: what noise makes of one load that was not measured.
+const PREDICTED_LOAD_SPREAD: f64 = 0.2;
+
+/// Relative difference of sinkages, or of loads, that count as one where operating points are counted.
+const SAME_POINT: f64 = 0.05;
+
 /// The gaps of a design, each with the unknowns that it leaves together.
-pub(crate) fn gaps(observations: &Observations, fitted: &[Quantity], sought: &[Unknown]) -> Vec<(DesignGap, Vec<Unknown>)> {
+pub(crate) fn gaps(
+    observations: &Observations,
+    fitted: &[Quantity],
+    sought: &[Unknown],
+    predictions: &[Prediction],
+) -> Vec<(DesignGap, Vec<Unknown>)> {
     use Unknown as U;
     let has = |unknown: U| sought.contains(&unknown);
     let strength: Vec<U> = [U::Cohesion, U::FrictionAngle].into_iter().filter(|&unknown| has(unknown)).collect();
@@ -44,7 +58,7 @@ pub(crate) fn gaps(observations: &Observations, fitted: &[Quantity], sought: &[U
         }
         found.push((DesignGap::OneSlip, together));
     }
-    if is_one_load(observations) {
+    if is_one_load(observations, predictions) {
         let mut together = Vec::new();
         if strength.len() == 2 {
             together.extend(&strength);
@@ -60,6 +74,10 @@ pub(crate) fn gaps(observations: &Observations, fitted: &[Quantity], sought: &[U
         together.extend([U::ShearModulus].into_iter().filter(|&unknown| has(unknown)));
         found.push((DesignGap::NormalForceOnly, together));
     }
+    let points = distinct_points(observations, predictions, sought.len());
+    if sought.len() > 1 && (points == 1 || points * fitted.len() <= sought.len()) {
+        found.push((DesignGap::FewPoints, sought.to_vec()));
+    }
     found.retain(|(_, together)| !together.is_empty());
     found
 }
@@ -69,12 +87,35 @@ fn is_one_slip(observations: &Observations) -> bool {
     ratios().fold(f64::NEG_INFINITY, f64::max) - ratios().fold(f64::INFINITY, f64::min) < SLIP_SPREAD
 }
 
-fn is_one_load(observations: &Observations) -> bool {
-    let column = observations.column(Quantity::Normal).or(observations.column(Quantity::Sinkage));
-    column.is_some_and(|column| {
-        let count = column.values.len() as f64;
-        let mean = column.values.iter().sum::<f64>() / count;
-        let variance = column.values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / count;
-        variance.sqrt() < LOAD_SPREAD * mean.abs()
-    })
+/// By the measured normal force; where there is none, by the one that the model predicts at the solution.
+fn is_one_load(observations: &Observations, predictions: &[Prediction]) -> bool {
+    let is_one = |loads: &mut dyn Iterator<Item = f64>, spread: f64| {
+        let loads: Vec<f64> = loads.collect();
+        let count = loads.len() as f64;
+        let mean = loads.iter().sum::<f64>() / count;
+        let variance = loads.iter().map(|load| (load - mean).powi(2)).sum::<f64>() / count;
+        variance.sqrt() < spread * mean.abs()
+    };
+    match observations.column(Quantity::Normal) {
+        Some(column) => is_one(&mut column.values.iter().copied(), LOAD_SPREAD),
+        None => is_one(&mut predictions.iter().map(|prediction| prediction.normal), PREDICTED_LOAD_SPREAD),
+    }
+}
+
+/// Operating points that differ in slip or in sinkage by more than their repetition does, counted no further than past `most`.
+fn distinct_points(observations: &Observations, predictions: &[Prediction], most: usize) -> usize {
+    let mut known: Vec<(f64, f64)> = Vec::new();
+    for (slip, prediction) in observations.slip.iter().zip(predictions) {
+        let (ratio, sinkage) = (slip.ratio(), prediction.sinkage);
+        let is_same = |&(slip, depth): &(f64, f64)| {
+            (slip - ratio).abs() < SLIP_SPREAD && (depth - sinkage).abs() < SAME_POINT * depth.max(sinkage)
+        };
+        if !known.iter().any(is_same) {
+            known.push((ratio, sinkage));
+        }
+        if known.len() > most {
+            break;
+        }
+    }
+    known.len()
 }

@@ -45,7 +45,7 @@ pub enum FitError {
     Missing(Quantity),
     /// No column is left that could be compared with a prediction.
     NothingMeasured,
-    /// The evaluations or the time were spent before the first step.
+    /// The evaluations or the time were spent before there was anything to report.
     OutOfBudget,
     /// The model has no answer for the data, neither at the start nor at any other start that was tried.
     Refused {
@@ -75,7 +75,9 @@ impl fmt::Display for FitError {
             }
             Self::Missing(quantity) => write!(f, "the {quantity} has to be measured"),
             Self::NothingMeasured => write!(f, "nothing is measured that the model predicts"),
-            Self::OutOfBudget => write!(f, "the evaluations or the time were spent before the first step: send fewer samples"),
+            Self::OutOfBudget => {
+                write!(f, "the evaluations or the time were spent before there was anything to report: send fewer samples")
+            }
             Self::Refused { row, error } => write!(f, "at no start does the model answer every sample; sample {row}: {error}"),
         }
     }

@@ -2,9 +2,11 @@
 
 use crate::design::DesignGap;
 use crate::problem::{Problem, Sought};
+use crate::profile::Flanks;
 use crate::search::Found;
 use crate::uncertainty::Uncertainty;
 use crate::unknown::Unknown;
+use crate::valley::FitValley;
 
 /// Which bound an estimate lies at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,6 +35,8 @@ pub enum Identifiability {
         /// That value.
         other: f64,
     },
+    /// The data bound it from one side alone: that of the bound named.
+    OneSided(Bound),
     /// The interval is wider than the estimate is of use, or none can be stated.
     Uncertain,
 }
@@ -54,7 +58,7 @@ pub struct Estimate {
     pub value: f64,
     /// Standard error; none where the data leave it open. At a bound it is what would hold without the bound.
     pub standard_error: Option<f64>,
-    /// Interval of 95 %, not cut at the bounds.
+    /// Interval of 95 %, not cut at the bounds; where the data bound it from one side alone, the other end is the bound.
     pub interval: Option<[f64; 2]>,
     /// The bound at which it lies.
     pub at_bound: Option<Bound>,
@@ -85,16 +89,35 @@ impl Judgement<'_> {
             value if value >= bounds.upper => Some(Bound::Upper),
             _ => None,
         };
+        let scale = self.problem.scales[i];
         let of = |list: fn(&Uncertainty) -> &Vec<Option<f64>>| self.uncertainty.and_then(|known| list(known)[i]);
-        let half_width = of(|known| &known.half_width).map(|half| half * slope);
-        Estimate {
+        let half_width = of(|known| &known.half_width);
+        let centre = scale.inward(value);
+        let mut estimate = Estimate {
             unknown,
             value,
             standard_error: of(|known| &known.standard_error).map(|error| error * slope),
-            interval: half_width.map(|half| [value - half, value + half]),
+            interval: half_width.map(|half| [centre - half, centre + half].map(|end| scale.outward(end))),
             at_bound,
-            identifiability: self.identifiability(i, half_width.map(|half| half / slope), at_bound),
+            identifiability: self.identifiability(i, half_width, at_bound),
+        };
+        if estimate.identifiability == Identifiability::Determined
+            && let (Some(half), Some(uncertainty)) = (half_width, self.uncertainty)
+        {
+            let valley = FitValley { problem: self.problem, best: self.best, uncertainty, useful: self.useful };
+            match Flanks::of(&valley, i, half) {
+                Ok(flanks) => {
+                    estimate.interval = Some(flanks.ends(centre).map(|end| scale.outward(end)));
+                    estimate.identifiability = flanks.finding();
+                }
+                // What was not looked at for lack of time is not called determined.
+                Err(_) => estimate.identifiability = Identifiability::Uncertain,
+            }
+            if matches!(estimate.identifiability, Identifiability::OneSided(_)) {
+                estimate.standard_error = None;
+            }
         }
+        estimate
     }
 
     /// The gravest finding; `half_width` is on the scaled unknown.

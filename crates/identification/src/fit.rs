@@ -4,15 +4,16 @@ use std::time::Instant;
 
 use terramechanics::Error;
 
-use crate::design::{self, DesignGap};
+use crate::design::DesignGap;
 use crate::error::FitError;
-use crate::finding::{Estimate, Judgement};
+use crate::finding::Estimate;
+use crate::fitted_column::FittedColumn;
 use crate::loss::Loss;
-use crate::observations::{Column, Observations, Quantity};
+use crate::observations::Observations;
 use crate::problem::{Obstacle, Problem, Sought};
+use crate::report::report;
 use crate::search::{Found, StopReason, from_start, further_start};
-use crate::setup::{Prediction, Setup};
-use crate::uncertainty::{Evidence, Uncertainty};
+use crate::setup::Setup;
 use crate::unknown::Unknown;
 
 /// Starts that one fit tries at most.
@@ -27,39 +28,13 @@ pub struct FitOptions {
     pub loss: Loss,
     /// Evaluations of the forces after which the fit ends and says so.
     pub evaluations: u64,
-    /// When it ends at the latest and says so; without one the result is the same on every machine.
+    /// When the search ends at the latest and says so; without one the result is the same on every machine.
     pub until: Option<Instant>,
 }
 
 impl Default for FitOptions {
     fn default() -> Self {
         Self { starts: 1, loss: Loss::LeastSquares, evaluations: 20_000_000, until: None }
-    }
-}
-
-/// One fitted column.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FittedColumn {
-    /// What was measured.
-    pub quantity: Quantity,
-    /// As measured.
-    pub measured: Vec<f64>,
-    /// As the model predicts with the estimates.
-    pub predicted: Vec<f64>,
-    /// Root of the mean squared difference.
-    pub rmse: f64,
-}
-
-impl FittedColumn {
-    /// Two columns of one length and how far they are apart.
-    #[must_use]
-    pub fn new(quantity: Quantity, measured: Vec<f64>, predicted: Vec<f64>) -> Self {
-        let differences = || predicted.iter().zip(&measured).map(|(predicted, measured)| (predicted - measured).abs());
-        // Scaled by the largest, so that the squares neither overflow nor vanish.
-        let largest = differences().fold(f64::MIN_POSITIVE, f64::max);
-        let squares: f64 = differences().map(|difference| (difference / largest).powi(2)).sum();
-        let rmse = largest * (squares / measured.len().max(1) as f64).sqrt();
-        Self { quantity, measured, predicted, rmse }
     }
 }
 
@@ -83,7 +58,7 @@ pub struct Fit {
     /// What the operating points do not vary, and the unknowns that need it.
     pub gaps: Vec<(DesignGap, Vec<Unknown>)>,
     /// Measurements minus determined directions.
-    pub freedom: f64,
+    pub degrees_of_freedom: f64,
     /// Sum of squares over the degrees of freedom, where standard deviations were given: about one if they and the model hold.
     pub reduced_chi_square: Option<f64>,
     /// The fitted columns.
@@ -153,6 +128,7 @@ const SAME_COST: f64 = 1e-6;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fit(setup: &Setup, observations: &Observations, sought: &[Sought], options: &FitOptions) -> Result<Fit, FitError> {
+    let began = Instant::now();
     let mut problem = Problem::new(*setup, observations, sought, options)?;
     let (mut best, mut others) = search(&problem, options.starts.clamp(1, MOST_STARTS))?;
     if options.loss != Loss::LeastSquares {
@@ -172,7 +148,9 @@ pub fn fit(setup: &Setup, observations: &Observations, sought: &[Sought], option
         }
         others.clear(); // solutions of another loss
     }
-    report(&problem, &best, &others)
+    // The report may take half as long again, and then ends as well.
+    let until = options.until.map(|until| until + until.saturating_duration_since(began) / 2);
+    report(&problem.for_the_report(until), &best, &others)
 }
 
 /// The best end of the searches from all starts, and the others that are as good.
@@ -224,72 +202,4 @@ fn rescale(problem: &mut Problem<'_>, values: &[f64]) {
         let scale = (1.4826 * sizes[samples / 2]).max(1e-9);
         problem.weights[rows].iter_mut().for_each(|weight| *weight /= scale);
     }
-}
-
-fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, FitError> {
-    let mut stop = best.stop;
-    // The report itself is not bound by the budget of the search: it is one set of predictions and one of derivatives.
-    let problem = &problem.with_budget_for_the_report();
-    let refused = |obstacle| match obstacle {
-        Obstacle::Row { row, error } => FitError::Refused { row, error },
-        Obstacle::Values | Obstacle::Budget => FitError::Refused { row: 0, error: Error::NotFinite },
-    };
-    let predictions = problem.predictions(&best.values).map_err(refused)?;
-    let residuals = problem.weighted(&predictions);
-    let all: Vec<usize> = (0..problem.sought.len()).collect();
-    let setup = problem.setup_at(&best.values);
-    let useful: Vec<f64> = problem
-        .sought
-        .iter()
-        .enumerate()
-        .map(|(i, one)| {
-            let value = best.values[i];
-            one.unknown.useful_width(value, &setup) / problem.scales[i].slope(value).abs().max(f64::MIN_POSITIVE)
-        })
-        .collect();
-    let uncertainty = match problem.jacobian(&best.values, &predictions, &all) {
-        Ok(jacobian) => Some(Uncertainty::of(&Evidence {
-            jacobian: &jacobian,
-            residuals: &residuals,
-            measured: problem.measured_count(),
-            group: if problem.has_deviations() { problem.measured_count() } else { problem.samples() },
-            useful: &useful,
-            loss: problem.loss,
-        })),
-        Err(_) => {
-            stop = StopReason::ModelRefuses;
-            None
-        }
-    };
-    let names: Vec<Unknown> = problem.sought.iter().map(|one| one.unknown).collect();
-    let gaps = design::gaps(problem.observations, &problem.fitted, &names);
-    let judged = Judgement { problem, best, others, uncertainty: uncertainty.as_ref(), gaps: &gaps, useful: &useful };
-    let estimates = all.iter().map(|&i| judged.estimate(i)).collect();
-    let nothing = || vec![vec![None; all.len()]; all.len()];
-    Ok(Fit {
-        estimates,
-        stop,
-        iterations: best.iterations,
-        evaluations: problem.evaluations(),
-        correlation: uncertainty.as_ref().map_or_else(nothing, |known| known.correlation.clone()),
-        condition_number: uncertainty.as_ref().map_or(f64::INFINITY, |known| known.condition_number),
-        dead_directions: uncertainty.as_ref().map_or_else(Vec::new, |known| {
-            known.dead_directions.iter().map(|direction| names.iter().copied().zip(direction.iter().copied()).collect()).collect()
-        }),
-        gaps,
-        freedom: uncertainty.as_ref().map_or(0.0, |known| known.freedom),
-        reduced_chi_square: uncertainty.as_ref().and_then(|known| known.reduced_chi_square).filter(|_| problem.has_deviations()),
-        columns: problem
-            .fitted
-            .iter()
-            .filter_map(|&quantity| Some(fitted_column(quantity, problem.observations.column(quantity)?, &predictions)))
-            .collect(),
-        sinkage: predictions.iter().map(|prediction| prediction.sinkage).collect(),
-        setup,
-    })
-}
-
-fn fitted_column(quantity: Quantity, column: &Column, predictions: &[Prediction]) -> FittedColumn {
-    let predicted = predictions.iter().map(|prediction| quantity.of(prediction)).collect();
-    FittedColumn::new(quantity, column.values.clone(), predicted)
 }

@@ -10,26 +10,32 @@
 //!
 //! SI units and radians throughout, slip as in the model.
 
+mod derivatives;
 mod design;
 mod error;
 mod finding;
 mod fit;
+mod fitted_column;
 mod linear;
 mod loss;
 mod observations;
 mod plates;
 mod problem;
+mod profile;
+mod report;
 mod search;
 mod setup;
 mod shear_curves;
 mod student;
 mod uncertainty;
 mod unknown;
+mod valley;
 
 pub use design::DesignGap;
 pub use error::FitError;
 pub use finding::{Bound, Estimate, Identifiability};
-pub use fit::{Fit, FitOptions, FittedColumn, MOST_STARTS, fit};
+pub use fit::{Fit, FitOptions, MOST_STARTS, fit};
+pub use fitted_column::FittedColumn;
 pub use linear::{
     LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint, fit_line,
     linear_strength,

@@ -3,10 +3,13 @@
 //! Wong (1980, Data processing methodology in the characterization of the mechanical properties of terrain, Journal of
 //! Terramechanics 17, 13) fits ln p = ln k_i + n ln z with the weights p²: an error δp shows as δp/p in ln p, so the weights make it
 //! the fit of p itself, and the deep end of a curve counts. Then k_i = k_c/b_i + k_φ is a straight line in 1/b. The weighted
-//! normal equations were derived here and not taken from print. Departure: Wong fits an exponent for each plate and takes their
-//! mean; here one exponent is fitted to all curves at once, and each plate's own is reported beside it.
+//! normal equations were derived here and not taken from print. Departures: Wong fits an exponent for each plate and takes their
+//! mean; here one exponent is fitted to all curves at once, and each plate's own is reported beside it. And the logarithm of a
+//! pressure with noise is off to one side, as are its weights, so Wong's fit is the start of that which it stands for, the least
+//! squares of p. At small noise they are one.
 //!
-//! Standard errors are those of the weighted fit, carried to k_c and k_φ to first order. They do not hold the scatter between
+//! Standard errors hold for noise of any size that differs from point to point (MacKinnon & White 1985, HC3), since that of a
+//! plate may grow with the pressure or not, carried to k_c and k_φ to first order. They do not hold the scatter between
 //! soundings: with two plates the line through two moduli has none to show.
 
 use std::fmt;
@@ -15,13 +18,20 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::finding::{Estimate, Identifiability};
 use crate::student::quantile_95;
-use crate::unknown::Unknown;
+use crate::unknown::{SLIGHT, Unknown};
+
+mod curves;
+
+use self::curves::Curves;
 
 /// Plates that one fit takes at most.
 pub const MOST_PLATES: usize = 16;
 
 /// Relative range of widths below which plates count as one width.
 const LEAST_WIDTHS: f64 = 1e-3;
+
+/// Relative difference of the plates' own exponents beyond which one exponent does not describe them.
+const EXPONENTS_APART: f64 = 0.2;
 
 /// One plate and its curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +40,7 @@ pub struct PlateCurve {
     pub width: f64,
     /// Sinkage z (m), greater than 0.
     pub sinkage: Vec<f64>,
-    /// Pressure p (Pa), greater than 0.
+    /// Pressure p (Pa), not negative, and somewhere greater than 0.
     pub pressure: Vec<f64>,
 }
 
@@ -57,7 +67,7 @@ pub struct PlatesFit {
     /// Root of the mean squared difference of the pressures (Pa).
     pub rmse: f64,
     /// Points minus parameters.
-    pub freedom: f64,
+    pub degrees_of_freedom: f64,
 }
 
 /// Why plates give no parameters.
@@ -65,7 +75,7 @@ pub struct PlatesFit {
 pub enum PlatesError {
     /// Fewer than two plates, or more than are taken.
     Count,
-    /// A curve without points, with columns of different length or a value that is not positive.
+    /// A curve without points or pressure, with columns of different length or a value that cannot be.
     Curve(usize),
     /// All plates have one width, so that k_c/b and k_φ are one number.
     OneWidth,
@@ -79,7 +89,10 @@ impl fmt::Display for PlatesError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Count => write!(f, "from two to {MOST_PLATES} plates are needed"),
-            Self::Curve(plate) => write!(f, "the curve of plate {plate} must have points of positive sinkage and pressure"),
+            Self::Curve(plate) => write!(
+                f,
+                "the curve of plate {plate} must have points of positive sinkage with pressures that are not negative and not all 0"
+            ),
             Self::OneWidth => {
                 write!(f, "all plates have one width: k_c/b and k_φ are one number then, two widths tell them apart")
             }
@@ -91,50 +104,18 @@ impl fmt::Display for PlatesError {
 
 impl std::error::Error for PlatesError {}
 
-/// Weighted sums of one curve about its weighted means, pressures in units of the largest.
-struct Sums {
-    weight: f64,
-    mean_depth: f64,
-    mean_pressure: f64,
-    depth_depth: f64,
-    depth_pressure: f64,
-}
-
-impl Sums {
-    fn of(curve: &PlateCurve, largest: f64) -> Self {
-        let points = || {
-            let pair = |(&z, &p): (&f64, &f64)| ((p / largest).powi(2), z.ln(), p.ln());
-            curve.sinkage.iter().zip(&curve.pressure).map(pair)
-        };
-        let weight: f64 = points().map(|(weight, ..)| weight).sum();
-        let mean_depth = points().map(|(weight, depth, _)| weight * depth).sum::<f64>() / weight;
-        let mean_pressure = points().map(|(weight, _, pressure)| weight * pressure).sum::<f64>() / weight;
-        let depth_depth = points().map(|(weight, depth, _)| weight * (depth - mean_depth).powi(2)).sum();
-        let depth_pressure =
-            points().map(|(weight, depth, pressure)| weight * (depth - mean_depth) * (pressure - mean_pressure)).sum();
-        Self { weight, mean_depth, mean_pressure, depth_depth, depth_pressure }
-    }
-
-    /// Whether the sinkages differ by more than rounding.
-    fn has_spread(&self) -> bool {
-        self.depth_depth > 1e-20 * self.weight
-    }
-}
-
 /// k_c, k_φ and n of Bekker's law from the curves of two or more plates.
 ///
 /// # Errors
 /// [`PlatesError`].
 pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
     check(curves)?;
-    let largest = curves.iter().flat_map(|curve| &curve.pressure).copied().fold(0.0, f64::max);
-    let sums: Vec<Sums> = curves.iter().map(|curve| Sums::of(curve, largest)).collect();
-    if !sums.iter().any(Sums::has_spread) {
+    let fitted = Curves::of(curves);
+    if !fitted.has_spread() {
         return Err(PlatesError::OneSinkage);
     }
-    let spread: f64 = sums.iter().map(|sums| sums.depth_depth).sum();
-    let exponent = sums.iter().map(|sums| sums.depth_pressure).sum::<f64>() / spread;
-    let moduli: Vec<f64> = sums.iter().map(|sums| (sums.mean_pressure - exponent * sums.mean_depth).exp()).collect();
+    let fitted = fitted.refined();
+    let (exponent, moduli) = (fitted.exponent, fitted.moduli());
 
     // The line k_i = k_c/b_i + k_φ through the moduli, as rows that give k_c and k_φ from them.
     let count = curves.len() as f64;
@@ -153,34 +134,19 @@ pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
     };
     let plates: Vec<FittedPlate> = curves
         .iter()
-        .zip(&sums)
         .zip(&moduli)
-        .map(|((curve, sums), &modulus)| FittedPlate {
-            modulus,
-            own_exponent: sums.has_spread().then(|| sums.depth_pressure / sums.depth_depth),
-            predicted: predicted(curve),
-        })
+        .enumerate()
+        .map(|(i, (curve, &modulus))| FittedPlate { modulus, own_exponent: fitted.own_exponent(i), predicted: predicted(curve) })
         .collect();
     let points = curves.iter().map(|curve| curve.sinkage.len()).sum::<usize>() as f64;
-    let freedom = points - count - 1.0;
-    let variance = variance(curves, &moduli, exponent, largest) / freedom.max(1.0);
-    // d(k_c, k_φ, n) by (ln k_i, n), and the covariance of those: ln k_i = mean ln p − n mean ln z.
-    let mut covariance = DMatrix::zeros(curves.len() + 1, curves.len() + 1);
-    for (i, one) in sums.iter().enumerate() {
-        covariance[(i, i)] = variance / one.weight;
-        for (k, other) in sums.iter().enumerate() {
-            covariance[(i, k)] += variance / spread * one.mean_depth * other.mean_depth;
-        }
-        let with_exponent = -variance / spread * one.mean_depth;
-        (covariance[(i, curves.len())], covariance[(curves.len(), i)]) = (with_exponent, with_exponent);
-    }
-    covariance[(curves.len(), curves.len())] = variance / spread;
-    let slopes = DMatrix::from_fn(3, curves.len() + 1, |row, i| match (row, moduli.get(i)) {
-        (0 | 1, Some(modulus)) => rows[(row, i)] * modulus,
-        (2, None) => 1.0,
+    let degrees_of_freedom = points - count - 1.0;
+    // d(k_c, k_φ, n) by (k_i, n).
+    let slopes = DMatrix::from_fn(3, curves.len() + 1, |row, i| match row {
+        0 | 1 if i < curves.len() => rows[(row, i)],
+        2 if i == curves.len() => 1.0,
         _ => 0.0,
     });
-    let covariance = &slopes * covariance * slopes.transpose();
+    let covariance = &slopes * fitted.covariance() * slopes.transpose();
 
     let squares: f64 = curves
         .iter()
@@ -189,45 +155,60 @@ pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
         .map(|(measured, predicted)| (predicted - measured).powi(2))
         .sum();
     let width = 1.0 / mean;
-    let useful = [k_c.abs().max(width * k_phi.abs()), k_phi.abs(), 0.3];
+    // An interval of k_c that holds 0 leaves its sign open, unless its effect is slight either way.
+    let useful = [k_c.abs().max(SLIGHT * width * k_phi.abs()), k_phi.abs(), 0.3];
     let unknowns = [Unknown::CohesiveModulus, Unknown::FrictionalModulus, Unknown::BaseExponent];
     let values = [k_c, k_phi, exponent];
     let fit = PlatesFit {
         estimates: std::array::from_fn(|i| {
-            let error = (freedom >= 1.0).then(|| covariance[(i, i)].max(0.0).sqrt());
-            stated(unknowns[i], values[i], error, freedom, useful[i])
+            let error = (degrees_of_freedom >= 1.0).then(|| covariance[(i, i)].max(0.0).sqrt());
+            stated(unknowns[i], values[i], error, degrees_of_freedom, useful[i])
         }),
         plates,
         correlation: std::array::from_fn(|i| {
             std::array::from_fn(|k| {
                 let ratio = covariance[(i, k)] / (covariance[(i, i)] * covariance[(k, k)]).sqrt();
                 let ratio = if i == k { 1.0 } else { ratio };
-                (freedom >= 1.0 && ratio.is_finite()).then(|| ratio.clamp(-1.0, 1.0))
+                (degrees_of_freedom >= 1.0 && ratio.is_finite()).then(|| ratio.clamp(-1.0, 1.0))
             })
         }),
         rmse: (squares / points).sqrt(),
-        freedom,
+        degrees_of_freedom,
     };
     let numbers = values.into_iter().chain([fit.rmse]).chain(fit.plates.iter().flat_map(|plate| plate.predicted.iter().copied()));
     if numbers.into_iter().all(f64::is_finite) { Ok(fit) } else { Err(PlatesError::NotFinite) }
 }
 
+impl PlatesFit {
+    /// The width above which the law has a positive modulus, where a negative k_c makes that a limit (m).
+    #[must_use]
+    pub fn least_width(&self) -> Option<f64> {
+        let [k_c, k_phi, _] = self.estimates.each_ref().map(|estimate| estimate.value);
+        (k_c < 0.0 && k_phi > 0.0).then(|| -k_c / k_phi)
+    }
+
+    /// The least and the largest of the plates' own exponents, where they are too far apart for one to describe them.
+    #[must_use]
+    pub fn exponents_apart(&self) -> Option<[f64; 2]> {
+        let own = || self.plates.iter().filter_map(|plate| plate.own_exponent);
+        let (least, largest) = (own().fold(f64::INFINITY, f64::min), own().fold(f64::NEG_INFINITY, f64::max));
+        (largest - least > EXPONENTS_APART * self.estimates[2].value.abs()).then_some([least, largest])
+    }
+
+    /// Whether the law makes a soil: k_φ and n0 are positive.
+    #[must_use]
+    pub fn is_a_soil(&self) -> bool {
+        self.estimates[1].value > 0.0 && self.estimates[2].value > 0.0
+    }
+}
+
 /// An estimate with its interval, and whether that is narrow enough to be of use.
-pub(crate) fn stated(unknown: Unknown, value: f64, error: Option<f64>, freedom: f64, useful: f64) -> Estimate {
-    let half = error.map(|error| error * quantile_95(freedom));
+fn stated(unknown: Unknown, value: f64, error: Option<f64>, degrees_of_freedom: f64, useful: f64) -> Estimate {
+    let half = error.map(|error| error * quantile_95(degrees_of_freedom));
     let is_determined = half.is_some_and(|half| half <= useful);
     let identifiability = if is_determined { Identifiability::Determined } else { Identifiability::Uncertain };
     let interval = half.map(|half| [value - half, value + half]);
     Estimate { unknown, value, standard_error: error, interval, at_bound: None, identifiability }
-}
-
-/// Weighted sum of the squared residuals of ln p.
-fn variance(curves: &[PlateCurve], moduli: &[f64], exponent: f64, largest: f64) -> f64 {
-    let of_curve = |(curve, modulus): (&PlateCurve, &f64)| -> f64 {
-        let residual = |(z, p): (&f64, &f64)| ((p / largest) * (p.ln() - modulus.ln() - exponent * z.ln())).powi(2);
-        curve.sinkage.iter().zip(&curve.pressure).map(residual).sum()
-    };
-    curves.iter().zip(moduli).map(of_curve).sum()
 }
 
 fn check(curves: &[PlateCurve]) -> Result<(), PlatesError> {
@@ -239,7 +220,9 @@ fn check(curves: &[PlateCurve]) -> Result<(), PlatesError> {
         positive(&curve.width)
             && !curve.sinkage.is_empty()
             && curve.sinkage.len() == curve.pressure.len()
-            && curve.sinkage.iter().chain(&curve.pressure).all(positive)
+            && curve.sinkage.iter().all(positive)
+            && curve.pressure.iter().all(|value| value.is_finite() && *value >= 0.0)
+            && curve.pressure.iter().any(positive)
     };
     if let Some(plate) = curves.iter().position(|curve| !is_sound(curve)) {
         return Err(PlatesError::Curve(plate));

@@ -1,15 +1,9 @@
-//! Residuals and their derivatives: the model against the measurements, as least squares see them.
-//!
-//! Derivatives. At a given sinkage the forces are linear in c, tan φ and the sinkage modulus and smooth in the rest, so
-//! central differences on the scaled unknowns keep ten digits. Where the sinkage carries a load, differences through the
-//! solver would cost two solves per unknown and lose digits to its tolerance; there the derivative is the exact one of the
-//! implicit function: with G(p, z) = F_z(p, z) − W = 0, dY/dp = ∂Y/∂p − ∂Y/∂z (∂G/∂p)/(∂G/∂z), all taken at the solved
-//! sinkage without solving again.
+//! Residuals: the model against the measurements, as least squares see them.
 
 use std::cell::Cell;
 use std::time::Instant;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use terramechanics::{Error, InvalidInput, Sinkage, Slip};
 
 use crate::error::FitError;
@@ -40,11 +34,14 @@ impl Sought {
     }
 }
 
-/// Step of the differences on the scaled unknowns: the cube root of the rounding error, where a central difference is best.
-const STEP: f64 = 6e-6;
-
 /// Evaluations that one solved sinkage stands for.
 const SOLVE: u64 = 8;
+
+/// Sets of predictions that a look beside one estimate may take: both sides, refits with their derivatives.
+const LOOKS: u64 = 600;
+
+/// Rows between two looks at the clock: at a microsecond to ten a row it is looked at every millisecond.
+const ROWS_PER_LOOK: usize = 128;
 
 /// Why a point of the search has no residuals.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,9 +111,30 @@ impl<'a> Problem<'a> {
         Ok(Self { setup, observations, sought: sought.to_vec(), scales, fitted, weights, loss, budget, until, spent })
     }
 
-    /// The same problem with evaluations enough for one set of predictions and of derivatives.
-    pub(crate) fn with_budget_for_the_report(&self) -> Self {
-        let evaluations = self.samples() as u64 * (SOLVE + 4 * self.sought.len() as u64 + 2);
+    /// The same problem with evaluations enough for one set of predictions and of derivatives and a look beside every estimate,
+    /// and with another end.
+    pub(crate) fn for_the_report(&self, until: Option<Instant>) -> Self {
+        let unknowns = self.sought.len() as u64;
+        let evaluations = self.samples() as u64 * (SOLVE + 4 * unknowns + 2) + LOOKS * unknowns * self.cost();
+        Self { budget: Cell::new(evaluations), until, ..self.copied() }
+    }
+
+    /// The same problem with one unknown held at a value; it draws on the evaluations of this one once it is over.
+    pub(crate) fn with_held(&self, i: usize, value: f64) -> Self {
+        let mut held = self.copied();
+        held.setup = self.sought[i].unknown.replaced(&self.setup, value);
+        held.sought.remove(i);
+        held.scales.remove(i);
+        held
+    }
+
+    /// Takes over what another problem made of this one has left.
+    pub(crate) fn settle(&self, other: &Self) {
+        self.budget.set(other.budget.get());
+        self.spent.set(other.spent.get());
+    }
+
+    fn copied(&self) -> Self {
         Self {
             setup: self.setup,
             observations: self.observations,
@@ -125,8 +143,8 @@ impl<'a> Problem<'a> {
             fitted: self.fitted.clone(),
             weights: self.weights.clone(),
             loss: self.loss,
-            budget: Cell::new(evaluations),
-            until: None,
+            budget: self.budget.clone(),
+            until: self.until,
             spent: self.spent.clone(),
         }
     }
@@ -141,7 +159,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Rows of the least-squares problem: where there are fewer data than unknowns, zeros are added, which change nothing.
-    fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.measured_count().max(self.sought.len())
     }
 
@@ -162,14 +180,28 @@ impl<'a> Problem<'a> {
         self.sought.iter().zip(values).fold(self.setup, |setup, (one, &value)| one.unknown.replaced(&setup, value))
     }
 
-    fn spend(&self, evaluations: u64) -> Result<(), Obstacle> {
-        if self.until.is_some_and(|until| Instant::now() > until) {
-            return Err(Obstacle::Budget);
-        }
+    /// Whether time or evaluations are over.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.budget.get() < self.cost() || self.until.is_some_and(|until| Instant::now() >= until)
+    }
+
+    pub(crate) fn spend(&self, evaluations: u64) -> Result<(), Obstacle> {
         let left = self.budget.get().checked_sub(evaluations).ok_or(Obstacle::Budget)?;
         self.budget.set(left);
         self.spent.set(self.spent.get() + evaluations);
         Ok(())
+    }
+
+    /// What `of` says of every row, until the time is over.
+    pub(crate) fn by_row(&self, of: impl Fn(usize, Slip) -> Result<Prediction, Error>) -> Result<Vec<Prediction>, Obstacle> {
+        let mut rows = Vec::with_capacity(self.samples());
+        for (row, &slip) in self.observations.slip.iter().enumerate() {
+            if row % ROWS_PER_LOOK == 0 && self.until.is_some_and(|until| Instant::now() >= until) {
+                return Err(Obstacle::Budget);
+            }
+            rows.push(of(row, slip).map_err(|error| Obstacle::Row { row, error })?);
+        }
+        Ok(rows)
     }
 
     /// The evaluations that one set of predictions costs.
@@ -179,7 +211,7 @@ impl<'a> Problem<'a> {
     }
 
     /// How the sinkage of a row is known.
-    fn sinkage(&self, setup: &Setup, row: usize) -> Sinkage {
+    pub(crate) fn sinkage(&self, setup: &Setup, row: usize) -> Sinkage {
         let at = |column: Option<&crate::observations::Column>| column.map_or(f64::NAN, |column| column.values[row]);
         match setup.sinkage {
             SinkageSource::Measured => Sinkage::Given(at(self.observations.sinkage.as_ref())),
@@ -193,11 +225,13 @@ impl<'a> Problem<'a> {
         self.spend(self.cost())?;
         let setup = self.setup_at(values);
         let system = setup.system()?;
-        let row = |(row, &slip): (usize, &Slip)| {
-            let sinkage = self.sinkage(&setup, row);
-            setup.predicted(&system, slip, sinkage).map_err(|error| Obstacle::Row { row, error })
-        };
-        self.observations.slip.iter().enumerate().map(row).collect()
+        self.by_row(|row, slip| setup.predicted(&system, slip, self.sinkage(&setup, row)))
+    }
+
+    /// The sum of the losses.
+    pub(crate) fn cost_at(&self, values: &[f64]) -> Result<f64, Obstacle> {
+        let residuals = self.weighted(&self.predictions(values)?);
+        Ok(residuals.iter().map(|&residual| self.loss.of(residual)).sum())
     }
 
     /// Predicted minus measured over the scale of the column, before the loss.
@@ -212,110 +246,6 @@ impl<'a> Problem<'a> {
             }
         }
         residuals
-    }
-
-    /// The derivatives of the weighted residuals by the scaled unknowns in `free`, before the loss.
-    pub(crate) fn jacobian(&self, values: &[f64], base: &[Prediction], free: &[usize]) -> Result<DMatrix<f64>, Obstacle> {
-        let by_sinkage = match self.setup.sinkage {
-            SinkageSource::Load => Some(self.by_sinkage(values, base)?),
-            SinkageSource::Measured | SinkageSource::Static { .. } => None,
-        };
-        let mut jacobian = DMatrix::zeros(self.rows(), free.len());
-        for (column, &i) in free.iter().enumerate() {
-            let mut slopes = self.by_unknown(values, base, i)?;
-            if let Some(by_sinkage) = &by_sinkage {
-                for (slope, along) in slopes.iter_mut().zip(by_sinkage) {
-                    let moved = -slope.normal / along.normal; // dz/dp: the load stays what it is
-                    slope.longitudinal += along.longitudinal * moved;
-                    slope.torque += along.torque * moved;
-                    slope.sinkage = moved;
-                }
-            }
-            let mut place = 0;
-            for &quantity in &self.fitted {
-                for slope in &slopes {
-                    jacobian[(place, column)] = quantity.of(slope) * self.weights[place];
-                    place += 1;
-                }
-            }
-        }
-        if jacobian.iter().all(|entry| entry.is_finite()) { Ok(jacobian) } else { Err(Obstacle::Values) }
-    }
-
-    /// Predictions beside `values`, at the sinkages of `base` where those carry a load.
-    fn beside(&self, setup: &Setup, base: &[Prediction], shift: f64) -> Result<Vec<Prediction>, Obstacle> {
-        self.spend(self.samples() as u64)?;
-        let system = setup.system()?;
-        let row = |(row, &slip): (usize, &Slip)| {
-            let sinkage = match setup.sinkage {
-                SinkageSource::Load => Sinkage::Given(base[row].sinkage * (1.0 + shift)),
-                SinkageSource::Measured | SinkageSource::Static { .. } => self.sinkage(setup, row),
-            };
-            setup.predicted(&system, slip, sinkage).map_err(|error| Obstacle::Row { row, error })
-        };
-        self.observations.slip.iter().enumerate().map(row).collect()
-    }
-
-    /// ∂/∂z at the sinkages of `base`.
-    fn by_sinkage(&self, values: &[f64], base: &[Prediction]) -> Result<Vec<Prediction>, Obstacle> {
-        let setup = self.setup_at(values);
-        let shallow = self.beside(&setup, base, -STEP)?;
-        let deep = self.beside(&setup, base, STEP)?;
-        let row = |(i, here): (usize, &Prediction)| combined(&[(deep[i], 1.0), (shallow[i], -1.0)], 2.0 * STEP * here.sinkage);
-        Ok(base.iter().enumerate().map(row).collect())
-    }
-
-    /// ∂/∂ of the scaled unknown `i`: a central difference, or a one-sided one of the same order next to a bound or where the
-    /// model has no answer on one side.
-    fn by_unknown(&self, values: &[f64], base: &[Prediction], i: usize) -> Result<Vec<Prediction>, Obstacle> {
-        let (Sought { unknown, bounds, .. }, scale) = (self.sought[i], self.scales[i]);
-        let centre = scale.inward(values[i]);
-        let step = STEP * centre.abs().max(1.0);
-        let setup = self.setup_at(values);
-        let at = |steps: f64| -> Option<Result<Vec<Prediction>, Obstacle>> {
-            let value = scale.outward(centre + steps * step);
-            bounds.contains(value).then(|| self.beside(&unknown.replaced(&setup, value), base, 0.0))
-        };
-        let (below, above) = (at(-1.0), at(1.0));
-        let central: Vec<Prediction> = match (below, above) {
-            (Some(Err(Obstacle::Budget)), _) | (_, Some(Err(Obstacle::Budget))) => return Err(Obstacle::Budget),
-            (Some(Ok(below)), Some(Ok(above))) => {
-                above.iter().zip(&below).map(|(&above, &below)| combined(&[(above, 1.0), (below, -1.0)], 2.0 * step)).collect()
-            }
-            (below, above) => {
-                let (near, side) = match (below, above) {
-                    (_, Some(Ok(above))) => (above, 1.0),
-                    (Some(Ok(below)), _) => (below, -1.0),
-                    (Some(Err(obstacle)), _) | (_, Some(Err(obstacle))) => return Err(obstacle),
-                    (None, None) => return Err(Obstacle::Values), // bounds closer together than a step
-                };
-                // At the sinkage of the base, like its neighbours: a solved force is off by the solver's tolerance.
-                let here = self.beside(&setup, base, 0.0)?;
-                match at(2.0 * side) {
-                    Some(Ok(far)) => here
-                        .iter()
-                        .zip(&near)
-                        .zip(&far)
-                        .map(|((&here, &near), &far)| combined(&[(near, 4.0), (here, -3.0), (far, -1.0)], 2.0 * side * step))
-                        .collect(),
-                    _ => {
-                        here.iter().zip(&near).map(|(&here, &near)| combined(&[(near, 1.0), (here, -1.0)], side * step)).collect()
-                    }
-                }
-            }
-        };
-        Ok(central)
-    }
-}
-
-/// A weighted sum of predictions over a divisor.
-fn combined(terms: &[(Prediction, f64)], divisor: f64) -> Prediction {
-    let sum = |of: fn(&Prediction) -> f64| terms.iter().map(|(term, weight)| weight * of(term)).sum::<f64>() / divisor;
-    Prediction {
-        sinkage: sum(|term| term.sinkage),
-        longitudinal: sum(|term| term.longitudinal),
-        normal: sum(|term| term.normal),
-        torque: sum(|term| term.torque),
     }
 }
 
@@ -333,73 +263,6 @@ fn weights_of(column: &crate::observations::Column) -> Vec<f64> {
                 1.0
             };
             vec![1.0 / size; column.values.len()]
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::observations::Column;
-    use terramechanics::{
-        ContactParams, Direct, ForceModel, JanosiHanamoto, Method, PeakRule, PressureSinkage, ShearLaw, SinkageExponent,
-        SoilParams, Wheel, WheelParams,
-    };
-
-    /// Of derivatives that differ by the truncation of the coarser ones, a step of 1e-4.
-    const AGREED: f64 = 1e-6;
-
-    fn setup(method: Method) -> Setup {
-        let exponent = SinkageExponent { base: 0.9, slip_gain: 0.3, skid_gain: None };
-        Setup {
-            wheel: Wheel::new(WheelParams { radius: 0.15, width: 0.12, lug_height: 0.008, lug_coefficient: 0.5 })
-                .expect("a wheel"),
-            soil: SoilParams {
-                cohesion: 600.0,
-                friction_angle: 0.55,
-                shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 }),
-                pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 9e5, exponent }),
-                unit_weight: None,
-                lateral_shear_modulus: None,
-            },
-            contact: ContactParams { rule: PeakRule::WongReece { c1: 0.45, c2: 0.1 }, exit_ratio: 0.0 },
-            model: ForceModel::at_rim(method),
-            sinkage: SinkageSource::Load,
-        }
-    }
-
-    /// The derivatives under a load, by the implicit function, against differences of whole load balances.
-    #[test]
-    fn derivatives_under_a_load_are_those_of_solved_sinkages() {
-        let column = |values: Vec<f64>| Some(Column { values, deviation: None });
-        let observations = Observations {
-            slip: [-0.1, 0.05, 0.3, 0.7].map(|ratio| Slip::new(ratio).expect("a slip")).to_vec(),
-            sinkage: column(vec![0.01; 4]),
-            longitudinal: column(vec![10.0; 4]),
-            normal: column(vec![40.0, 60.0, 90.0, 120.0]),
-            torque: column(vec![5.0; 4]),
-        };
-        for method in [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT] {
-            let setup = setup(method);
-            let has = |unknown: &Unknown| unknown.value(&setup).is_some();
-            let sought: Vec<Sought> =
-                Unknown::ALL.into_iter().filter(has).map(|unknown| Sought::from_setup(unknown, &setup)).collect();
-            let problem = Problem::new(setup, &observations, &sought, &FitOptions::default()).expect("a problem");
-            let values: Vec<f64> = sought.iter().map(|one| one.start).collect();
-            let all: Vec<usize> = (0..values.len()).collect();
-            let base = problem.predictions(&values).expect("predictions");
-            let jacobian = problem.jacobian(&values, &base, &all).expect("derivatives");
-            for (i, scale) in problem.scales.iter().enumerate() {
-                // λ may stand at 0, where it can go to either side like the others.
-                let at = |shift: f64| {
-                    let mut values = values.clone();
-                    values[i] = scale.outward(scale.inward(values[i]) + shift);
-                    problem.weighted(&problem.predictions(&values).expect("predictions"))
-                };
-                let difference = (at(1e-4) - at(-1e-4)) / 2e-4;
-                let error = (jacobian.column(i) - &difference).norm() / difference.norm().max(1e-3);
-                assert!(error < AGREED, "{method:?} {}: {error}", sought[i].unknown);
-            }
         }
     }
 }

@@ -65,14 +65,28 @@ const PUSH: f64 = 1e-12;
 /// Cosine between residuals and a derivative above which a search that the model stopped had further to go.
 const UPHILL: f64 = 1e-6;
 
+/// Relative decrease and step at which a refit beside a minimum ends: a rise of the cost of a few percent is found to a few
+/// percent of it.
+const ROUGHLY: f64 = 1e-4;
+
 /// The minimum that is reached from `start`.
 pub(crate) fn from_start(problem: &Problem<'_>, start: &[f64]) -> Result<Found, Obstacle> {
+    minimum(problem, start, ROUNDS, TOLERANCE)
+}
+
+/// The cost of the minimum that is reached from `start`, roughly; the start's own where the search fails.
+pub(crate) fn refitted_cost(problem: &Problem<'_>, start: &[f64]) -> Result<f64, Obstacle> {
+    let found = minimum(problem, start, 1, ROUGHLY)?;
+    if found.stop == StopReason::Budget && problem.is_spent() { Err(Obstacle::Budget) } else { Ok(found.cost) }
+}
+
+fn minimum(problem: &Problem<'_>, start: &[f64], rounds: u32, tolerance: f64) -> Result<Found, Obstacle> {
     let mut values = start.to_vec();
-    let mut cost = cost_at(problem, &values)?;
+    let mut cost = problem.cost_at(&values)?;
     let mut iterations = 0;
     let mut held_before: Option<Vec<usize>> = None;
     let mut stop = StopReason::Budget;
-    for _ in 0..ROUNDS {
+    for _ in 0..rounds {
         let free = match free_unknowns(problem, &values) {
             Ok(free) => free,
             Err(obstacle) => {
@@ -94,7 +108,7 @@ pub(crate) fn from_start(problem: &Problem<'_>, start: &[f64]) -> Result<Found, 
             refused: Cell::new(false),
             iterations: Cell::new(0),
         };
-        let search = LevenbergMarquardt::new().with_ftol(TOLERANCE).with_xtol(TOLERANCE).with_patience(60).with_stepbound(10.0);
+        let search = LevenbergMarquardt::new().with_ftol(tolerance).with_xtol(tolerance).with_patience(60).with_stepbound(10.0);
         let (adapter, report) = search.minimize(adapter);
         let reached = adapter.current();
         iterations += adapter.iterations.get();
@@ -102,7 +116,7 @@ pub(crate) fn from_start(problem: &Problem<'_>, start: &[f64]) -> Result<Found, 
         if stop.is_success() && adapter.refused.get() && adapter.steepness().is_some_and(|cosine| cosine > UPHILL) {
             stop = StopReason::ModelRefuses;
         }
-        let reached_cost = match cost_at(problem, &reached) {
+        let reached_cost = match problem.cost_at(&reached) {
             Ok(cost) => cost,
             Err(Obstacle::Budget) => {
                 stop = StopReason::Budget;
@@ -120,11 +134,6 @@ pub(crate) fn from_start(problem: &Problem<'_>, start: &[f64]) -> Result<Found, 
         held_before = Some(free);
     }
     Ok(Found { values, cost, stop, iterations })
-}
-
-fn cost_at(problem: &Problem<'_>, values: &[f64]) -> Result<f64, Obstacle> {
-    let residuals = problem.weighted(&problem.predictions(values)?);
-    Ok(residuals.iter().map(|&residual| problem.loss.of(residual)).sum())
 }
 
 /// The unknowns that are not at a bound, or that the data push off it.

@@ -2,8 +2,8 @@
 //!
 //! All curves are fitted at once by τ = (c + σ tan φ)(1 − e^(−j/K)) (Janosi & Hanamoto 1961). For a given K that is linear in c
 //! and tan φ, so only K is searched: over six decades about the range of the displacements, then by golden section. No start is
-//! needed and no local minimum missed that is wider than the scan. Derivatives for the errors are by hand. Cohesion and
-//! friction are held at or above 0. A curve with a hump cannot be told from this law by its parameters: see the residuals.
+//! needed and no local minimum missed that is wider than the scan. Derivatives for the errors are by hand, and the sum of squares
+//! itself is asked whether the data bound an estimate on both sides. Cohesion and friction are held at or above 0. A curve with a hump cannot be told from this law by its parameters: see the residuals.
 
 use std::fmt;
 
@@ -11,21 +11,19 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::finding::{Bound, Estimate, Identifiability};
 use crate::loss::Loss;
-use crate::plates::stated;
-use crate::uncertainty::{Evidence, Uncertainty};
+use crate::profile::Flanks;
+use crate::uncertainty::{Evidence, Scatter, Uncertainty};
 use crate::unknown::Unknown;
+
+mod points;
+
+use self::points::{Law, Points, ShearValley};
 
 /// Curves that one fit takes at most.
 pub const MOST_CURVES: usize = 64;
 
 /// Relative range of normal stresses below which they count as one.
 const LEAST_STRESSES: f64 = 1e-3;
-
-/// Shear moduli of the scan: twenty to a decade.
-const SCANNED: u32 = 121;
-
-/// Steps of the golden section: 0.618^64 of the scan's step is below rounding.
-const SECTIONS: u32 = 64;
 
 /// One shear test.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,13 +48,13 @@ pub struct ShearFit {
     /// Root of the mean squared difference of the shear stresses (Pa).
     pub rmse: f64,
     /// Points minus parameters.
-    pub freedom: f64,
+    pub degrees_of_freedom: f64,
 }
 
 /// Why shear tests give no parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShearError {
-    /// No curve, or more than are taken.
+    /// Fewer than two curves, or more than are taken.
     Count,
     /// A curve without points, with columns of different length, or a value that cannot be.
     Curve(usize),
@@ -86,83 +84,6 @@ impl fmt::Display for ShearError {
 
 impl std::error::Error for ShearError {}
 
-/// c, tan φ and K.
-#[derive(Debug, Clone, Copy)]
-struct Law {
-    cohesion: f64,
-    tan_friction: f64,
-    modulus: f64,
-}
-
-impl Law {
-    fn shear(&self, normal: f64, displacement: f64) -> f64 {
-        (self.cohesion + normal * self.tan_friction) * -(-displacement / self.modulus).exp_m1()
-    }
-}
-
-/// All points: normal stress, displacement, shear stress, stresses in units of the largest.
-struct Points {
-    list: Vec<(f64, f64, f64)>,
-    unit: f64,
-}
-
-impl Points {
-    /// The best c and tan φ at a modulus, both at or above 0, and the sum of squares that they leave.
-    fn at(&self, modulus: f64) -> (Law, f64) {
-        let (mut ee, mut es, mut ss, mut et, mut st) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for &(normal, displacement, shear) in &self.list {
-            let share = -(-displacement / modulus).exp_m1();
-            let pressed = share * normal;
-            ee += share * share;
-            es += share * pressed;
-            ss += pressed * pressed;
-            et += share * shear;
-            st += pressed * shear;
-        }
-        let determinant = ee * ss - es * es;
-        let (cohesion, tan_friction) = ((ss * et - es * st) / determinant, (ee * st - es * et) / determinant);
-        // The sum is convex: where the free minimum breaks a bound, the best is on a bound.
-        let (cohesion, tan_friction) = match (cohesion >= 0.0, tan_friction >= 0.0) {
-            (true, true) => (cohesion, tan_friction),
-            (false, _) => (0.0, (st / ss).max(0.0)),
-            (true, false) => ((et / ee).max(0.0), 0.0),
-        };
-        let law = Law { cohesion, tan_friction, modulus };
-        let left = |&(normal, displacement, shear): &(f64, f64, f64)| (law.shear(normal, displacement) - shear).powi(2);
-        let squares: f64 = self.list.iter().map(left).sum();
-        (law, if squares.is_finite() { squares } else { f64::INFINITY })
-    }
-
-    /// The best modulus: by the scan, then between its neighbours.
-    fn best(&self) -> Law {
-        let farthest = self.list.iter().map(|(_, displacement, _)| *displacement).fold(0.0, f64::max);
-        let scanned = |i: u32| farthest * 10_f64.powf(f64::from(i) / 20.0 - 4.5);
-        let cost = |log: f64| self.at(log.exp()).1;
-        let mut best = 0;
-        for i in 1..SCANNED {
-            if self.at(scanned(i)).1 < self.at(scanned(best)).1 {
-                best = i;
-            }
-        }
-        let golden = 0.5 * (5_f64.sqrt() - 1.0);
-        let (mut low, mut high) = (scanned(best.saturating_sub(1)).ln(), scanned((best + 1).min(SCANNED - 1)).ln());
-        let (mut left, mut right) = (high - golden * (high - low), low + golden * (high - low));
-        let (mut at_left, mut at_right) = (cost(left), cost(right));
-        for _ in 0..SECTIONS {
-            if at_left <= at_right {
-                (high, right, at_right) = (right, left, at_left);
-                left = high - golden * (high - low);
-                at_left = cost(left);
-            } else {
-                (low, left, at_left) = (left, right, at_right);
-                right = low + golden * (high - low);
-                at_right = cost(right);
-            }
-        }
-        self.at((0.5 * (low + high)).exp()).0
-    }
-}
-
 /// c, φ and K from shear tests at two or more normal stresses.
 ///
 /// # Errors
@@ -177,11 +98,10 @@ pub fn fit_shear_curves(curves: &[ShearCurve]) -> Result<ShearFit, ShearError> {
     });
     let points = Points { list: points.collect(), unit };
     let has_shear = points.list.iter().any(|&(_, displacement, shear)| displacement > 0.0 && shear > 0.0);
-    let law = points.best();
     if !has_shear {
         return Err(ShearError::NoShear);
     }
-    Ok(report(curves, &points, &law))
+    Ok(report(curves, &points, &points.best()))
 }
 
 fn report(curves: &[ShearCurve], points: &Points, law: &Law) -> ShearFit {
@@ -208,37 +128,50 @@ fn report(curves: &[ShearCurve], points: &Points, law: &Law) -> ShearFit {
     });
     let cohesion = law.cohesion * points.unit;
     let useful = [cohesion.max(500.0), 0.25, law.modulus];
+    let useful_scaled = [useful[0] / points.unit, useful[1], 1.0];
     let known = Uncertainty::of(&Evidence {
         jacobian: &jacobian,
         residuals: &residuals,
         measured: count,
-        group: count,
-        useful: &[useful[0] / points.unit, useful[1], 1.0],
+        scatter: Scatter::Either,
+        useful: &useful_scaled,
         loss: Loss::LeastSquares,
     });
+    let valley = ShearValley { points, law, uncertainty: &known, useful: useful_scaled };
     let angle_per_tangent = 1.0 / (1.0 + law.tan_friction * law.tan_friction); // dφ/d tan φ
     let slopes = [points.unit, angle_per_tangent, law.modulus];
-    let unknowns = [Unknown::Cohesion, Unknown::FrictionAngle, Unknown::ShearModulus];
-    let values = [cohesion, law.tan_friction.atan(), law.modulus];
     let at_zero = [law.cohesion == 0.0, law.tan_friction == 0.0, false];
     let estimates = std::array::from_fn(|i| {
-        let error = known.standard_error[i].map(|error| error * slopes[i]);
-        let mut estimate = stated(unknowns[i], values[i], error, known.freedom, useful[i]);
-        if at_zero[i] {
-            estimate.at_bound = Some(Bound::Lower);
-            if estimate.identifiability == Identifiability::Determined {
-                estimate.identifiability = Identifiability::AtBound;
-            }
-        }
+        let scaled = [law.cohesion, law.tan_friction, law.modulus.ln()][i];
+        let outward = |scaled: f64| [scaled * points.unit, scaled.atan(), scaled.exp()][i];
+        let mut estimate = Estimate {
+            unknown: [Unknown::Cohesion, Unknown::FrictionAngle, Unknown::ShearModulus][i],
+            value: [cohesion, law.tan_friction.atan(), law.modulus][i],
+            standard_error: known.standard_error[i].map(|error| error * slopes[i]),
+            interval: known.half_width[i].map(|half| [outward(scaled - half), outward(scaled + half)]),
+            at_bound: at_zero[i].then_some(Bound::Lower),
+            identifiability: Identifiability::Uncertain,
+        };
         if known.without_effect[i] {
             estimate.identifiability = Identifiability::WithoutEffect;
+        } else if let Some(half) = known.half_width[i].filter(|half| *half <= useful_scaled[i])
+            && let Ok(flanks) = Flanks::of(&valley, i, half)
+        {
+            estimate.interval = Some(flanks.ends(scaled).map(outward));
+            estimate.identifiability = flanks.finding();
+            if at_zero[i] && estimate.identifiability == Identifiability::Determined {
+                estimate.identifiability = Identifiability::AtBound;
+            }
+            if matches!(estimate.identifiability, Identifiability::OneSided(_)) {
+                estimate.standard_error = None;
+            }
         }
         estimate
     });
     let law = Law { cohesion, ..*law };
     let predicted = curves.iter().map(|curve| curve.displacement.iter().map(|&j| law.shear(curve.normal, j)).collect()).collect();
     let rmse = points.unit * (residuals.iter().map(|residual| residual * residual).sum::<f64>() / count as f64).sqrt();
-    ShearFit { estimates, predicted, correlation: known.correlation, rmse, freedom: known.freedom }
+    ShearFit { estimates, predicted, correlation: known.correlation, rmse, degrees_of_freedom: known.degrees_of_freedom }
 }
 
 fn check(curves: &[ShearCurve]) -> Result<(), ShearError> {

@@ -4,9 +4,9 @@
 //! singular values. A direction whose singular value is 1e-7 of the largest or less is dead: along it the data do not change
 //! but for the rounding of the derivatives. Standard errors are those of the linearised problem, P Σ Pᵀ with P the
 //! pseudo-inverse of J: where standard deviations are given, one factor common to all residuals is estimated from them;
-//! where none are given, the variance of each column of measurements is estimated by itself, since nothing says that a torque
-//! is measured as well as a force (Huber 1967, White 1980). Degrees of freedom follow from the trace of the projection, and for
-//! a sum of several variances from Welch (1947) and Satterthwaite (1946). Under a robust loss ψ(u)/mean ψ' stands for the
+//! where none are given, each residual over one minus its leverage stands for its own deviation (White 1980; MacKinnon & White
+//! 1985, HC3), since nothing says that a torque is measured as well as a force, or a large force as well as a small one. Degrees
+//! of freedom are the measurements minus the directions that they determine. Under a robust loss ψ(u)/mean ψ' stands for the
 //! residual (Huber 1981).
 
 use nalgebra::{DMatrix, DVector};
@@ -39,10 +39,29 @@ pub(crate) struct Uncertainty {
     /// Unknowns that do not change the data at all.
     pub(crate) without_effect: Vec<bool>,
     /// Measurements minus the directions that they determine.
-    pub(crate) freedom: f64,
+    pub(crate) degrees_of_freedom: f64,
     /// Sum of squared weighted residuals over the degrees of freedom, if there are any.
     pub(crate) reduced_chi_square: Option<f64>,
+    /// (JᵀJ)⁻¹ on the scaled unknowns, over the directions alive.
+    inverse: DMatrix<f64>,
+    /// Mean of ψ', which is 1 for least squares.
+    mean_curvature: f64,
 }
+
+/// How the errors of the rows differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Scatter {
+    /// They have one variance once they are weighted.
+    Common,
+    /// Each has its own.
+    ByRow,
+    /// The one or the other, whichever makes an estimate less certain: where a few rows alone tell of an unknown, their own residuals may
+    /// be small by chance.
+    Either,
+}
+
+/// Leverage above which a row has no residual of its own: the fit passes through it whatever it is.
+const ALL_LEVERAGE: f64 = 0.99;
 
 /// What the uncertainty is found from.
 pub(crate) struct Evidence<'a> {
@@ -52,8 +71,7 @@ pub(crate) struct Evidence<'a> {
     pub(crate) residuals: &'a DVector<f64>,
     /// Rows that are measurements; the others are zeros.
     pub(crate) measured: usize,
-    /// Rows of one group, which share a variance.
-    pub(crate) group: usize,
+    pub(crate) scatter: Scatter,
     /// Change of every scaled unknown that would matter.
     pub(crate) useful: &'a [f64],
     pub(crate) loss: Loss,
@@ -64,7 +82,7 @@ const NO_EFFECT: f64 = 1e-9;
 
 impl Uncertainty {
     pub(crate) fn of(evidence: &Evidence<'_>) -> Self {
-        let Evidence { jacobian, residuals, measured, group, useful, loss } = *evidence;
+        let Evidence { jacobian, residuals, measured, scatter, useful, loss } = *evidence;
         let count = jacobian.ncols();
         let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
         let without_effect: Vec<bool> =
@@ -96,23 +114,29 @@ impl Uncertainty {
             residuals.iter().take(measured).map(|&residual| loss.curvature(residual)).sum::<f64>() / measured as f64;
         let score = |row: usize| loss.influence(residuals[row]) / mean_curvature;
 
-        // The covariance, group by group of residuals with one variance.
-        let groups: Vec<std::ops::Range<usize>> =
-            (0..measured).step_by(group.max(1)).map(|from| from..(from + group).min(measured)).collect();
         let pooled = (0..measured).map(|row| score(row).powi(2)).sum::<f64>() / freedom.max(1.0);
-        let mut parts: Vec<(DMatrix<f64>, f64)> = Vec::with_capacity(groups.len());
-        for rows in groups {
-            let block = pseudo_inverse.columns_range(rows.clone());
-            let leverage: f64 = rows.clone().map(|row| normalised.row(row).transpose().dot(&pseudo_inverse.column(row))).sum();
-            let own_freedom = rows.len() as f64 - leverage;
-            let squares: f64 = rows.map(|row| score(row).powi(2)).sum();
-            // A group with less than one degree of freedom left has no variance of its own to show.
-            let (variance, own_freedom) =
-                if own_freedom >= 1.0 { (squares / own_freedom, own_freedom) } else { (pooled, freedom.max(1.0)) };
-            parts.push((block * block.transpose() * variance, own_freedom));
-        }
-        let mut covariance = DMatrix::zeros(count, count);
-        parts.iter().for_each(|(part, _)| covariance += part);
+        let covariance_by = |variance_of: &dyn Fn(usize, f64) -> f64| {
+            let mut covariance = DMatrix::zeros(count, count);
+            for row in 0..measured {
+                let column = pseudo_inverse.column(row);
+                let leverage = normalised.row(row).transpose().dot(&column);
+                covariance.ger(variance_of(row, leverage), &column, &column, 1.0);
+            }
+            covariance
+        };
+        let common = |_: usize, _: f64| pooled;
+        let own = |row: usize, leverage: f64| {
+            if leverage < ALL_LEVERAGE { (score(row) / (1.0 - leverage)).powi(2) } else { pooled }
+        };
+        let covariance = match scatter {
+            Scatter::Common => covariance_by(&common),
+            Scatter::ByRow => covariance_by(&own),
+            Scatter::Either => {
+                let (alike, by_row) = (covariance_by(&common), covariance_by(&own));
+                let larger: Vec<f64> = (0..count).map(|i| (by_row[(i, i)] / alike[(i, i)]).max(1.0).sqrt()).collect();
+                DMatrix::from_fn(count, count, |i, k| alike[(i, k)] * larger[i] * larger[k])
+            }
+        };
 
         let stated = |i: usize| {
             let dead = without_effect[i] || dead_directions.iter().any(|direction| direction[i].abs() > PART);
@@ -121,13 +145,8 @@ impl Uncertainty {
         let effect = |i: usize| if norms[i] > 0.0 { norms[i] } else { 1.0 };
         let standard_error: Vec<Option<f64>> =
             (0..count).map(|i| stated(i).then(|| covariance[(i, i)].max(0.0).sqrt() / effect(i))).collect();
-        let half_width = (0..count)
-            .map(|i| {
-                let squares: f64 = parts.iter().map(|(part, freedom)| part[(i, i)].powi(2) / freedom).sum();
-                let own = if squares > 0.0 { covariance[(i, i)].powi(2) / squares } else { freedom };
-                standard_error[i].map(|error| error * quantile_95(own.min(freedom)))
-            })
-            .collect();
+        let factor = quantile_95(freedom);
+        let half_width = standard_error.iter().map(|error| error.map(|error| factor * error)).collect();
         let correlation = (0..count)
             .map(|i| (0..count).map(|k| correlation(&covariance, i, k).filter(|_| stated(i) && stated(k))).collect())
             .collect();
@@ -140,9 +159,21 @@ impl Uncertainty {
             condition_number,
             dead_directions,
             without_effect,
-            freedom,
+            degrees_of_freedom: freedom,
             reduced_chi_square,
+            inverse: DMatrix::from_fn(count, count, |i, k| inverse[(i, k)] / (effect(i) * effect(k))),
+            mean_curvature,
         }
+    }
+
+    /// How much the cost rises over `distance` of the scaled unknown `i` with the others refitted, were it a parabola.
+    pub(crate) fn presumed_rise(&self, i: usize, distance: f64) -> f64 {
+        self.mean_curvature * distance * distance / self.inverse[(i, i)]
+    }
+
+    /// How the scaled unknown `k` follows `i` along the bottom of that parabola.
+    pub(crate) fn along_the_valley(&self, i: usize, k: usize) -> f64 {
+        if i == k { 1.0 } else { self.inverse[(i, k)] / self.inverse[(i, i)] }
     }
 
     /// The other unknowns that a dead direction moves together with `i`.

@@ -37,6 +37,9 @@ pub enum Unknown {
     StaticSinkage,
 }
 
+/// Share of the frictional modulus times the width below which the sign of the cohesive modulus does not matter.
+pub(crate) const SLIGHT: f64 = 0.01;
+
 /// A closed range of values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
@@ -153,7 +156,7 @@ impl Unknown {
             Self::ShearModulus | Self::SinkageModulus | Self::FrictionalModulus | Self::StaticSinkage => value.abs(),
             Self::CohesiveModulus => {
                 let frictional = Self::FrictionalModulus.value(setup).unwrap_or(0.0);
-                value.abs().max(setup.wheel.width() * frictional.abs())
+                value.abs().max(SLIGHT * setup.wheel.width() * frictional.abs())
             }
             Self::BaseExponent | Self::LambdaA | Self::LambdaB => 0.3,
             Self::SlipGain => 0.5,

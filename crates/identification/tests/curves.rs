@@ -102,31 +102,94 @@ fn plates_that_cannot_tell_are_refused() {
     assert_eq!(fit_plates(&[one.clone(), one.clone()]), Err(PlatesError::OneWidth));
     let point = |width: f64| PlateCurve { width, sinkage: vec![0.01; 3], pressure: vec![1e3, 1.1e3, 0.9e3] };
     assert_eq!(fit_plates(&[point(0.05), point(0.1)]), Err(PlatesError::OneSinkage));
-    for bad in [0.0, -1.0, f64::NAN] {
+    for bad in [-1.0, f64::NAN] {
         let broken = PlateCurve { pressure: vec![bad], sinkage: vec![0.01], width: 0.1 };
         assert_eq!(fit_plates(&[one.clone(), broken]), Err(PlatesError::Curve(1)));
     }
 }
 
-/// Of 95 % intervals of n, from 92 to 98 in 100 hold the truth.
+/// Shares of 1000 intervals of 95 %: such a share scatters by 0.7 %.
+const COVERED: std::ops::RangeInclusive<u32> = 925..=985;
+
+/// Noise of one size, of a size that drowns the shallow end, and noise that grows with the pressure.
 #[test]
-fn intervals_of_plates_and_shear_tests_hold_the_truth() {
-    let mut covered = [0_u32; 6];
-    for seed in 0..300 {
-        let mut noise = Noise::seeded(seed + 17);
-        let mut plates = [plate(0.05, 1400.0, 820_000.0, 1.0), plate(0.1, 1400.0, 820_000.0, 1.0)];
-        plates.iter_mut().flat_map(|plate| &mut plate.pressure).for_each(|p| *p = (*p + 100.0 * noise.normal()).max(1.0));
-        let fit = fit_plates(&plates).expect("a fit");
-        let mut tests = shear_tests(800.0, 0.5, 0.012);
-        tests.iter_mut().flat_map(|test| &mut test.shear).for_each(|shear| *shear += 60.0 * noise.normal());
-        let shear = fit_shear_curves(&tests).expect("a fit");
-        let truth = [1400.0, 820_000.0, 1.0, 800.0, 0.5, 0.012];
-        for ((estimate, truth), covered) in fit.estimates.iter().chain(&shear.estimates).zip(truth).zip(&mut covered) {
-            let [low, high] = estimate.interval.expect("an interval");
-            *covered += u32::from((low..=high).contains(&truth));
+fn intervals_of_plates_hold_the_truth_whatever_the_noise() {
+    type Noisy = fn(f64, &mut Noise) -> f64;
+    let kinds: [(&str, Noisy); 4] = [
+        ("100 Pa", |p, noise| p + 100.0 * noise.normal()),
+        ("600 Pa", |p, noise| (p + 600.0 * noise.normal()).max(0.0)),
+        ("3 %", |p, noise| p * (1.0 + 0.03 * noise.normal())),
+        ("10 %", |p, noise| p * (1.0 + 0.1 * noise.normal())),
+    ];
+    for widths in [vec![0.05, 0.1], vec![0.05, 0.1, 0.15]] {
+        for (name, noisy) in kinds {
+            let mut covered = [0_u32; 3];
+            for seed in 0..1000 {
+                let mut noise = Noise::seeded(seed + 17);
+                let mut plates: Vec<PlateCurve> = widths.iter().map(|&width| plate(width, 1400.0, 820_000.0, 1.0)).collect();
+                plates.iter_mut().flat_map(|plate| &mut plate.pressure).for_each(|p| *p = noisy(*p, &mut noise));
+                let fit = fit_plates(&plates).expect("a fit");
+                for ((estimate, truth), covered) in fit.estimates.iter().zip([1400.0, 820_000.0, 1.0]).zip(&mut covered) {
+                    let [low, high] = estimate.interval.expect("an interval");
+                    *covered += u32::from((low..=high).contains(&truth));
+                }
+            }
+            assert!(covered.iter().all(|covered| COVERED.contains(covered)), "{name}, {} plates: {covered:?}", widths.len());
         }
     }
-    assert!(covered.iter().all(|covered| (276..=294).contains(covered)), "{covered:?} of 300");
+}
+
+#[test]
+fn intervals_of_shear_tests_hold_the_truth_whatever_the_noise() {
+    type Noisy = fn(f64, &mut Noise) -> f64;
+    let kinds: [(&str, Noisy); 2] =
+        [("60 Pa", |shear, noise| shear + 60.0 * noise.normal()), ("3 %", |shear, noise| shear * (1.0 + 0.03 * noise.normal()))];
+    for (name, noisy) in kinds {
+        let mut covered = [0_u32; 3];
+        for seed in 0..300 {
+            let mut noise = Noise::seeded(seed + 17);
+            let mut tests = shear_tests(800.0, 0.5, 0.012);
+            tests.iter_mut().flat_map(|test| &mut test.shear).for_each(|shear| *shear = noisy(*shear, &mut noise));
+            let fit = fit_shear_curves(&tests).expect("a fit");
+            assert!(
+                fit.estimates.iter().all(|estimate| estimate.identifiability == Identifiability::Determined),
+                "{name}: {fit:?}"
+            );
+            for ((estimate, truth), covered) in fit.estimates.iter().zip([800.0, 0.5, 0.012]).zip(&mut covered) {
+                let [low, high] = estimate.interval.expect("an interval");
+                *covered += u32::from((low..=high).contains(&truth));
+            }
+        }
+        // Of the two errors the larger is stated, so more than 95 % may be held.
+        assert!(covered.iter().all(|covered| *covered >= 276), "{name}: {covered:?} of 300");
+    }
+}
+
+/// An interval that holds 0 leaves the sign of k_c open: noise that is many times what k_c does.
+#[test]
+fn a_cohesive_modulus_of_open_sign_is_not_determined() {
+    let mut called = 0;
+    for seed in 0..100 {
+        let mut noise = Noise::seeded(seed + 3);
+        let mut plates = [plate(0.05, 1400.0, 820_000.0, 1.0), plate(0.1, 1400.0, 820_000.0, 1.0)];
+        plates.iter_mut().flat_map(|plate| &mut plate.pressure).for_each(|p| *p *= 1.0 + 0.1 * noise.normal());
+        let k_c = &fit_plates(&plates).expect("a fit").estimates[0];
+        let [low, high] = k_c.interval.expect("an interval");
+        assert!(!(k_c.identifiability.is_determined() && low < 0.0 && high > 0.0), "{k_c:?}");
+        called += u32::from(k_c.identifiability.is_determined());
+    }
+    assert!(called <= 12, "by chance an interval leaves 0 out in 5 of 100 cases, where k_c has no effect: {called}");
+}
+
+/// A plate that the soil does not yet resist shows 0, which is a pressure like any other.
+#[test]
+fn a_pressure_of_nothing_is_a_measurement() {
+    let mut plates = [plate(0.05, 1400.0, 820_000.0, 1.0), plate(0.1, 1400.0, 820_000.0, 1.0)];
+    plates[0].pressure[0] = 0.0;
+    let fit = fit_plates(&plates).expect("a fit");
+    assert!((fit.estimates[2].value - 1.0).abs() < 0.02, "{fit:?}");
+    plates[0].pressure.fill(0.0);
+    assert_eq!(fit_plates(&plates), Err(PlatesError::Curve(0)));
 }
 
 fn shear_tests(cohesion: f64, friction: f64, modulus: f64) -> Vec<ShearCurve> {

@@ -133,3 +133,71 @@ fn an_estimate_that_noise_leaves_open() {
     );
     assert!(found.estimates.iter().all(|estimate| estimate.interval.is_some()), "an open estimate still has an interval");
 }
+
+/// Without the column of the normal force the load is the one that the model predicts, and one load stays one load.
+#[test]
+fn a_single_load_that_was_not_measured() {
+    for (method, shares) in [(Method::EXPLICIT, [0.0, 0.02]), (Method::LINEARISED, [0.0, 0.02])] {
+        let truth = truth(method, SinkageSource::Measured);
+        let slips: Vec<f64> = programme(20).into_iter().map(|(slip, _)| slip).collect();
+        let points: Vec<_> = slips.iter().map(|&ratio| at(&truth, ratio, Sinkage::CarryingLoad(60.0))).collect();
+        let clean = Observations {
+            slip: slips.iter().map(|&ratio| slip(ratio)).collect(),
+            sinkage: column(points.iter().map(|point| point.sinkage).collect()),
+            torque: column(points.iter().map(|point| point.forces.torque).collect()),
+            longitudinal: column(points.iter().map(|point| point.forces.longitudinal).collect()),
+            normal: None,
+        };
+        for share in shares {
+            for seed in 0..20 {
+                let mut noise = common::Noise::seeded(seed);
+                let mut observations = clean.clone();
+                for column in [&mut observations.torque, &mut observations.longitudinal] {
+                    let values = &mut column.as_mut().expect("a column").values;
+                    values.iter_mut().for_each(|value| *value *= 1.0 + share * noise.normal());
+                }
+                let found = fitted(&truth, &observations, &five(&truth));
+                assert!(!found.is_identifiable(), "{method:?} {share} {seed}: {:#?}", found.estimates);
+            }
+        }
+        // Loads that vary are seen to, measured or not.
+        let varied = Observations { normal: None, ..measured(&truth, &programme(40)) };
+        let found = fitted(&truth, &varied, &five(&truth));
+        assert!(found.gaps.is_empty(), "{:?}", found.gaps);
+    }
+}
+
+/// Repeating a point adds no number that it has not given.
+#[test]
+fn one_point_over_and_over() {
+    let method = Method::Explicit {
+        peak_depth: terramechanics::PeakDepth::Half,
+        lambda_a: terramechanics::Lambda::Given(0.05),
+        lambda_b: terramechanics::Lambda::Given(-0.1),
+    };
+    let truth = truth(method, SinkageSource::Measured);
+    let observations = measured(&truth, &[(0.3, 0.02); 6]);
+    let unknowns = sought(&truth, &[(Unknown::FrictionAngle, 0.45), (Unknown::SinkageModulus, 5e5), (Unknown::LambdaA, 0.0)]);
+    let found = fitted(&truth, &observations, &unknowns);
+    assert!(!found.is_identifiable());
+    assert!(found.gaps.iter().any(|(gap, together)| *gap == DesignGap::FewPoints && together.len() == 3), "{:?}", found.gaps);
+    // Two points give six numbers, five of which are not too many for them, three repeated are.
+    let two: Vec<(f64, f64)> = [(0.1, 0.01), (0.5, 0.03)].into_iter().cycle().take(8).collect();
+    let found = fitted(&truth, &Observations { torque: None, normal: None, ..measured(&truth, &two) }, &unknowns);
+    assert!(found.gaps.iter().any(|(gap, _)| *gap == DesignGap::FewPoints), "{:?}", found.gaps);
+}
+
+/// A column in another unit, or a wheel of another size, is missed, whatever the data determine.
+#[test]
+fn a_column_that_is_missed_says_so() {
+    let truth = truth(Method::LINEARISED, SinkageSource::Measured);
+    let observations = measured(&truth, &programme(40));
+    let missed =
+        |fit: &Fit| -> Vec<_> { fit.columns.iter().filter(|column| column.is_missed()).map(|column| column.quantity).collect() };
+    assert_eq!(missed(&fitted(&truth, &observations, &five(&truth))), []);
+    let mut kilonewtons = observations.clone();
+    for column in [&mut kilonewtons.longitudinal, &mut kilonewtons.normal] {
+        column.as_mut().expect("a column").values.iter_mut().for_each(|value| *value *= 1e-3);
+    }
+    assert!(missed(&fitted(&truth, &kilonewtons, &five(&truth))).contains(&terramechanics_identification::Quantity::Torque));
+}

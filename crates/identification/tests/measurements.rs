@@ -79,25 +79,26 @@ fn rmse(fit: &Fit, quantity: Quantity) -> f64 {
 }
 
 /// With the published soil, the load balance alone gives the exponent: inverted point by point, independently of this crate, it is
-/// 0.84 + 0.66 s on the smooth wheel and 0.78 + 0.99 s on the lugged one, as straight lines through six points that scatter.
+/// 0.84 + 0.66 s on the smooth wheel and 0.78 + 0.99 s on the lugged one, as straight lines through six points that scatter: on the
+/// lugged wheel by more than leaves the exponents determined.
 #[test]
 fn the_slip_gain_of_the_exponent_on_hit_lss1() {
     for (lugs, rows, base, gain) in [(0.0, DING_SMOOTH, 0.84, 0.66), (0.01, DING_LUGS, 0.78, 0.99)] {
         let setup = ding(lugs);
         let only_load = Observations { longitudinal: None, torque: None, ..ding_rows(&rows) };
         let found = fitted(&setup, &only_load, &[(Unknown::BaseExponent, 1.1), (Unknown::SlipGain, 0.3)]);
-        assert!(found.converged() && found.is_identifiable(), "{found:#?}");
+        assert!(found.converged() && found.is_identifiable() == (lugs == 0.0), "{found:#?}");
         let [n0, n1] = [0, 1].map(|i| &found.estimates[i]);
         assert!((n0.value - base).abs() < 0.08, "{n0:?}");
         assert!((n1.value - gain).abs() < 0.2, "{n1:?}");
     }
 }
 
-/// All under one load: the five parameters come out with a small error of the drawbar pull and are still not the soil's, which is said. K is
-/// found at a quarter of what was measured with a shear box.
+/// All under one load: the five parameters come out with a small error of the drawbar pull, a larger one of the load, and are still not the
+/// soil's, which is said. K is found at a quarter of what was measured with a shear box.
 #[test]
 fn a_test_under_one_load_does_not_give_the_soil_away() {
-    for (lugs, rows) in [(0.0, DING_SMOOTH), (0.01, DING_LUGS)] {
+    for (lugs, rows, normal) in [(0.0, DING_SMOOTH, 2.60), (0.01, DING_LUGS, 5.99)] {
         let mut setup = ding(lugs);
         let exponent = setup.soil.pressure_sinkage.exponent();
         setup.soil.pressure_sinkage = PressureSinkage::Direct(Direct { k_s: 2.5e6, exponent });
@@ -111,6 +112,9 @@ fn a_test_under_one_load_does_not_give_the_soil_away() {
         let found = fitted(&setup, &ding_rows(&rows), &starts);
         assert!(found.converged() && !found.is_identifiable());
         assert!(rmse(&found, Quantity::Longitudinal) < 0.025 * DING_LOAD && rmse(&found, Quantity::Torque) < 0.4);
+        // A column by itself can be bought with the others: the load is missed by 3.2 and 7.5 %.
+        assert!((rmse(&found, Quantity::Normal) / normal - 1.0).abs() < 0.01, "{}", rmse(&found, Quantity::Normal));
+        assert!(found.columns.iter().all(|column| !column.is_missed()), "no column is missed by a tenth of its size");
         for i in [2, 3] {
             let finding = &found.estimates[i].identifiability;
             assert!(matches!(finding, Identifiability::Unseparated(DesignGap::OneLoad, _)), "{finding:?}");
@@ -121,9 +125,10 @@ fn a_test_under_one_load_does_not_give_the_soil_away() {
     }
 }
 
-/// Four means, two columns, three parameters: friction comes out, the sinkage modulus only to within itself.
+/// Four means, two columns, three parameters, and a model that misses both columns: nothing of them is determined, and both are said to be
+/// missed.
 #[test]
-fn a_few_means_of_a_small_wheel_leave_the_sinkage_modulus_open() {
+fn a_few_means_of_a_small_wheel_leave_the_soil_open() {
     let exponent = SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None };
     let wheel = WheelParams { radius: 0.058, width: 0.05, lug_height: 0.005, lug_coefficient: 1.0 };
     let setup = Setup {
@@ -144,7 +149,8 @@ fn a_few_means_of_a_small_wheel_leave_the_sinkage_modulus_open() {
     let found = fitted(&setup, &observations, &starts);
     assert!(found.converged() && !found.is_identifiable());
     assert_eq!(found.estimates[1].identifiability, Identifiability::Uncertain);
-    assert!(found.estimates[0].identifiability.is_determined(), "{:?}", found.estimates[0]);
+    assert!(!found.estimates[0].identifiability.is_determined(), "{:?}", found.estimates[0]);
+    assert!(found.columns.iter().all(terramechanics_identification::FittedColumn::is_missed));
     // The model misses these data by 1.2 N of F_x and a third of F_z, whatever its parameters.
     assert!(rmse(&found, Quantity::Longitudinal) < 1.2 && rmse(&found, Quantity::Normal) < 8.0);
 }

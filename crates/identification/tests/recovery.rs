@@ -4,7 +4,9 @@ mod common;
 
 use common::{at, column, five, measured, programme, slip, sought, truth};
 use terramechanics::{Method, Sinkage, SlipSinkage};
-use terramechanics_identification::{Fit, FitOptions, Observations, Setup, SinkageSource, Sought, StopReason, Unknown, fit};
+use terramechanics_identification::{
+    Fit, FitError, FitOptions, Observations, Setup, SinkageSource, Sought, StopReason, Unknown, fit,
+};
 
 /// What is asked of a fit without noise; the rounding of the data, times the condition number, stays well below.
 const RECOVERED: f64 = 1e-6;
@@ -65,9 +67,8 @@ fn a_search_that_the_model_stops_has_not_converged() {
         (Unknown::PeakSlipGain, 0.0),
     ];
     let found = fitted(&truth, &measured(&truth, &programme(60)), &sought(&truth, &starts));
-    let is_found = (found.estimates[0].value - 0.55).abs() < RECOVERED;
-    assert!(is_found || found.stop == StopReason::ModelRefuses, "{found:#?}");
-    assert_eq!(found.converged(), is_found);
+    assert_eq!(found.stop, StopReason::ModelRefuses, "{found:#?}");
+    assert!(!found.converged() && (found.estimates[0].value - 0.55).abs() > RECOVERED);
 }
 
 #[test]
@@ -167,12 +168,8 @@ fn a_search_that_runs_out_of_evaluations_or_time_says_so() {
     let truth = truth(Method::LINEARISED, SinkageSource::Measured);
     let observations = measured(&truth, &programme(40));
     let soon = FitOptions { evaluations: 1500, ..FitOptions::default() };
-    let now = std::time::Instant::now() + std::time::Duration::from_millis(1);
-    let late = FitOptions { until: Some(now), starts: 32, ..FitOptions::default() };
-    for options in [soon, late] {
-        match fit(&truth, &observations, &five(&truth), &options) {
-            Ok(found) => assert!(found.stop == StopReason::Budget && !found.converged(), "{:?}", found.stop),
-            Err(error) => assert_eq!(error, terramechanics_identification::FitError::OutOfBudget),
-        }
-    }
+    let found = fit(&truth, &observations, &five(&truth), &soon).expect("what was reached");
+    assert!(found.stop == StopReason::Budget && !found.converged(), "{:?}", found.stop);
+    let late = FitOptions { until: Some(std::time::Instant::now()), ..FitOptions::default() };
+    assert_eq!(fit(&truth, &observations, &five(&truth), &late), Err(FitError::OutOfBudget));
 }

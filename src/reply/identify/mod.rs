@@ -2,6 +2,7 @@
 
 mod columns;
 mod linear;
+mod plausible;
 pub(super) mod words;
 
 use std::borrow::Cow;
@@ -13,6 +14,7 @@ use terramechanics_identification::{Bound, Estimate, Fit, FitOptions, fit};
 use utoipa::ToSchema;
 
 use self::columns::IdentifyColumns;
+pub(super) use self::plausible::implausible;
 use super::forces::method_name;
 use super::soil::{ContactBody, SoilBody};
 use super::warning::system_warnings;
@@ -70,7 +72,7 @@ pub(super) struct EstimateReply {
     value: f64,
     /// Standard error; null where the data leave the parameter open. At a bound it is what would hold without the bound.
     standard_error: Option<f64>,
-    /// Interval of 95 %, not cut at the bounds.
+    /// Interval of 95 %, not cut at the bounds; where the data bound the parameter from one side alone, the other end is its bound.
     interval_95: Option<[f64; 2]>,
     /// Whether it lies at a bound.
     at_bound: bool,
@@ -114,7 +116,7 @@ impl IdentifyReply {
             correlation: found.correlation.clone(),
             condition_number: Some(found.condition_number).filter(|number| number.is_finite()),
             dead_directions: found.dead_directions.iter().map(direction).collect(),
-            degrees_of_freedom: found.freedom,
+            degrees_of_freedom: found.degrees_of_freedom,
             reduced_chi_square: found.reduced_chi_square.filter(|value| value.is_finite()),
             rmse: found.columns.iter().map(|column| (column_name(column.quantity), column.rmse)).collect(),
             columns: IdentifyColumns::of_fit(observations, &found),
@@ -139,6 +141,11 @@ impl From<&Estimate> for EstimateReply {
         }
     }
 }
+
+/// Sums of squares over the degrees of freedom beyond which the residuals are more than twice, or less than half, of what the standard deviations
+/// allow.
+const TOO_LARGE: f64 = 4.0;
+const TOO_SMALL: f64 = 0.25;
 
 /// What there is to say of a fit as a whole.
 fn warnings(query: &FitQuery, found: &Fit) -> Vec<Warning> {
@@ -166,13 +173,23 @@ fn warnings(query: &FitQuery, found: &Fit) -> Vec<Warning> {
             warn("at_bound", format!("{} lies at its {end} bound {}", name_of(estimate.unknown), words::number(estimate.value)));
         }
     }
-    if let Some(ratio) = found.reduced_chi_square.filter(|ratio| *ratio > 4.0) {
+    for column in found.columns.iter().filter(|column| column.is_missed()) {
+        warn("column_missed", words::column_missed(column));
+    }
+    if found.reduced_chi_square.is_some_and(|ratio| ratio < TOO_SMALL) {
+        let detail = "the residuals are less than half of what the standard deviations allow: these look too large; the errors \
+                      follow from the residuals, only the ratios of the standard deviations count";
+        warn("deviations_too_large", detail.to_owned());
+    }
+    if let Some(ratio) = found.reduced_chi_square.filter(|ratio| *ratio > TOO_LARGE) {
         let detail =
             "the residuals are {} times what the standard deviations allow: the model does not describe the data that well, and \
                       the errors were widened by that factor"
                 .replace("{}", &words::number(ratio.sqrt()));
         warn("model_misfit", detail);
     }
+    warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.exponent().base));
+    let mut warn = |code: &'static str, detail: String| warnings.push(Warning::new(code, detail));
     if query.law_replaced {
         let detail = "k_s is fitted: the direct law stands in place of the preset's, with its exponents".to_owned();
         warn("law_replaced", detail);

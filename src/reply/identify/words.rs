@@ -1,8 +1,8 @@
 //! What a fit found, in words for people who do not fit every day.
 
-use terramechanics_identification::{Bound, DesignGap, Estimate, Identifiability, StopReason, Unknown};
+use terramechanics_identification::{Bound, DesignGap, Estimate, FittedColumn, Identifiability, StopReason, Unknown};
 
-use crate::request::name_of;
+use crate::request::{column_name, name_of};
 
 /// A number in four digits.
 pub(in crate::reply) fn number(value: f64) -> String {
@@ -48,6 +48,7 @@ pub(super) fn gap_code(gap: DesignGap) -> &'static str {
     match gap {
         DesignGap::OneSlip => "single_slip",
         DesignGap::OneLoad => "single_load",
+        DesignGap::FewPoints => "few_points",
         DesignGap::NormalForceOnly => "normal_force_only",
     }
 }
@@ -55,13 +56,23 @@ pub(super) fn gap_code(gap: DesignGap) -> &'static str {
 fn reason(gap: DesignGap) -> &'static str {
     match gap {
         DesignGap::OneSlip => "all samples have one slip",
-        DesignGap::OneLoad => "all samples have one load or sinkage",
+        DesignGap::OneLoad => "all samples have one load, as measured or as the model has it where it was not",
+        DesignGap::FewPoints => "the samples repeat so few operating points that these give no more numbers than are sought",
         DesignGap::NormalForceOnly => "only the normal force is fitted, and the shear stress adds little to it",
     }
 }
 
 pub(super) fn gap(gap: DesignGap, together: &[Unknown]) -> String {
     format!("{}: nothing but the assumed shape of the stresses determines {}", reason(gap), list(together))
+}
+
+pub(super) fn column_missed(column: &FittedColumn) -> String {
+    format!(
+        "{} is off by {} (rms), {:.0} % of its size: the model with these values does not describe it; check the units, the wheel and the method",
+        column_name(column.quantity),
+        number(column.rmse),
+        100.0 * column.rmse / column.size()
+    )
 }
 
 pub(super) fn identifiability(estimate: &Estimate) -> String {
@@ -89,6 +100,11 @@ pub(super) fn identifiability(estimate: &Estimate) -> String {
         }
         Identifiability::SeveralSolutions { other } => {
             format!("not determined: {} explains the data as well, found from another start", number(*other))
+        }
+        Identifiability::OneSided(bound) => {
+            let end = estimate.interval.map(|[lower, upper]| if *bound == Bound::Upper { upper } else { lower });
+            let side = if *bound == Bound::Upper { "above" } else { "below" };
+            format!("not determined: the data bound it only from {side}, by {} (95 %)", end.map_or_else(String::new, number))
         }
         Identifiability::Uncertain => match width {
             Some(width) => format!("not determined: ± {} (95 %) is too wide to be of use", number(width)),

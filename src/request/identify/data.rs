@@ -28,7 +28,7 @@ wire_object! {
 }
 
 wire_object! {
-    /// Standard deviations of the measured columns, one for all rows or one each: of every fitted column, or of none.
+    /// Standard deviations of the measured columns, one for all rows or one each: of every fitted column, or of none. Only their ratios count: one factor common to all is estimated from the residuals, as by `absolute_sigma=False` of SciPy's `curve_fit`.
     DeviationsDto as "FitDeviations" {
         sinkage_m: Each = deviation("Of the sinkage (m)."),
         longitudinal_force_n: Each = deviation("Of the longitudinal force (N)."),

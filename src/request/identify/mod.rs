@@ -32,7 +32,7 @@ wire_object! {
         slip_sinkage: SlipSinkageDto = Nested::optional("Slip–sinkage law where static_sinkage_m is fitted; lyasko unless given."),
         fit: Names = NamesSpec { doc: "The parameters to find.", word: PARAMETER, most: 13, all_unless_given: false },
         data: DataDto = Nested::required("What was measured."),
-        standard_deviation: DeviationsDto = Nested::optional("Standard deviations; without them every column counts by its size."),
+        standard_deviation: DeviationsDto = Nested::optional("Standard deviations; without them every column counts by its size. By least_squares only their ratios count: the errors follow from the residuals. A robust loss takes the residuals in units of them."),
         start: StartDto = Nested::optional("Where the search begins."),
         bounds: BoundsDto = Nested::optional("Bounds of the parameters."),
         starts: f64 = Number::new("Starts that are tried; the further ones are spread over what soils have.", 1.0, MOST_STARTS as f64).integer().or(1.0),
@@ -254,8 +254,8 @@ impl IdentifyDto {
 /// Where a parameter belongs, for a message.
 fn home_of(unknown: Unknown) -> &'static str {
     match unknown {
-        Unknown::SinkageModulus => "; the law `direct` has it",
-        Unknown::CohesiveModulus | Unknown::FrictionalModulus => "; the laws `bekker` and `reece` have it",
+        Unknown::SinkageModulus => ": fit `k_c` and `k_phi`, or choose the law `direct`",
+        Unknown::CohesiveModulus | Unknown::FrictionalModulus => ": fit `k_s`, or choose the law `bekker` or `reece`",
         Unknown::PeakIntercept | Unknown::PeakSlipGain => "; the contact rule `wong_reece` has it",
         Unknown::LambdaA | Unknown::LambdaB => "; the method `explicit` with a number for it has it",
         Unknown::ShearModulus => "; the shear law `janosi_hanamoto` has it",

@@ -30,8 +30,9 @@ impl IdentifyDto {
             |unknown: Unknown| starts.iter().find(|(known, _)| *known == unknown).map_or(unknown.typical(), |(_, value)| *value);
         let filling: Vec<(&'static str, f64)> = fitted.iter().map(|&unknown| (name_of(unknown), start(unknown))).collect();
         let (soil, law_replaced) = match self.soil().field {
-            Field::Absent if !is_whole_soil(fitted) => {
-                place.field("soil").fault("a soil is needed: not all of it is fitted");
+            Field::Absent if !lacking(fitted).is_empty() => {
+                let lacking = lacking(fitted).join(", ");
+                place.field("soil").fault(format_args!("a soil is needed: neither given nor fitted are {lacking}"));
                 return None;
             }
             Field::Absent => SoilDto::default().filled(&filling),
@@ -113,10 +114,17 @@ impl IdentifyDto {
     }
 }
 
-/// Whether the parameters are all that a soil has.
-fn is_whole_soil(fitted: &[Unknown]) -> bool {
+/// What a soil has besides the parameters.
+fn lacking(fitted: &[Unknown]) -> Vec<&'static str> {
     use Unknown as U;
-    let has = |unknowns: &[U]| unknowns.iter().all(|unknown| fitted.contains(unknown));
-    has(&[U::Cohesion, U::FrictionAngle, U::ShearModulus, U::BaseExponent])
-        && (has(&[U::SinkageModulus]) || has(&[U::CohesiveModulus, U::FrictionalModulus]))
+    let alone = [U::Cohesion, U::FrictionAngle, U::ShearModulus, U::BaseExponent];
+    let mut lacking: Vec<&'static str> = alone.into_iter().filter(|unknown| !fitted.contains(unknown)).map(name_of).collect();
+    let moduli = [U::SinkageModulus, U::CohesiveModulus, U::FrictionalModulus].map(|unknown| fitted.contains(&unknown));
+    match moduli {
+        [true, ..] | [_, true, true] => {}
+        [false, true, false] => lacking.push("k_phi"),
+        [false, false, true] => lacking.push("k_c"),
+        [false, false, false] => lacking.push("k_s (or k_c and k_phi)"),
+    }
+    lacking
 }

@@ -6,9 +6,9 @@ use super::{RollingSample, StrengthBound, StrengthEstimate, StressPoint, linear_
 use crate::design::{self, DesignGap};
 use crate::error::FitError;
 use crate::finding::{Bound, Estimate, Identifiability};
-use crate::fit::FittedColumn;
+use crate::fitted_column::FittedColumn;
 use crate::observations::{Column, Observations, Quantity};
-use crate::setup::{Setup, SinkageSource};
+use crate::setup::{Prediction, Setup, SinkageSource};
 use crate::student::quantile_95;
 use crate::unknown::Unknown;
 
@@ -70,11 +70,14 @@ pub fn fit_line(setup: &Setup, observations: &Observations) -> Result<Option<Lin
         let rolling = system.rolling(sample.slip).map_err(refused)?;
         let patch = rolling.contact(sample.sinkage).map_err(refused)?;
         let known = Coupled { normal_load: sample.load, torque: None, normal_stress_radius: radius };
-        predicted.push(known.forces(&patch).map_err(refused)?.torque);
+        let forces = known.forces(&patch).map_err(refused)?;
+        let (longitudinal, torque) = (forces.longitudinal, forces.torque);
+        predicted.push(Prediction { sinkage: sample.sinkage, longitudinal, normal: sample.load, torque });
     }
     // The shear modulus is taken as known, so that one slip leaves its error undetected just as it leaves it unknown.
     let unknowns = [Unknown::ShearModulus, Unknown::Cohesion, Unknown::FrictionAngle];
-    let gaps: Vec<_> = design::gaps(observations, &[Quantity::Torque], &unknowns).into_iter().map(|(gap, _)| gap).collect();
+    let gaps: Vec<_> =
+        design::gaps(observations, &[Quantity::Torque], &unknowns, &predicted).into_iter().map(|(gap, _)| gap).collect();
     let correlation = line.covariance / (line.cohesion_variance * line.tan_friction_variance).sqrt();
     let measured = samples.iter().map(|sample| sample.torque).collect();
     Ok(Some(LinearFit {
@@ -83,7 +86,7 @@ pub fn fit_line(setup: &Setup, observations: &Observations) -> Result<Option<Lin
         correlation: correlation.is_finite().then(|| correlation.clamp(-1.0, 1.0)),
         gaps,
         used,
-        torque: FittedColumn::new(Quantity::Torque, measured, predicted),
+        torque: FittedColumn::new(Quantity::Torque, measured, predicted.iter().map(|prediction| prediction.torque).collect()),
         setup,
         samples,
         line,

@@ -1,0 +1,93 @@
+//! Estimates that no soil of the catalogue comes near: mostly a slip of the units.
+
+use terramechanics_identification::{Estimate, Unknown};
+
+use super::words::number;
+use crate::catalogue::{self, SoilRecord};
+use crate::reply::Warning;
+use crate::request::name_of;
+
+/// Factor beyond the catalogue's values from which on an estimate is none of a soil.
+const FACTOR: f64 = 10.0;
+
+/// Friction angle beyond which an estimate is none of a soil, for which a factor means nothing (rad).
+const STEEPEST: f64 = std::f64::consts::FRAC_PI_3;
+
+/// Exponents that differ by no more have moduli in units that can be compared.
+const LIKE_EXPONENT: f64 = 0.3;
+
+/// A warning for each estimate beyond what the soils of the catalogue have. Moduli are compared among soils of like `exponent`.
+pub(in crate::reply) fn implausible(estimates: &[Estimate], exponent: f64) -> Vec<Warning> {
+    let warning = |estimate: &Estimate| {
+        let name = name_of(estimate.unknown);
+        let value = estimate.value;
+        let detail = if estimate.unknown == Unknown::FrictionAngle {
+            (value > STEEPEST).then(|| format!("{name} is {}, beyond 60 degrees, which no soil has", number(value)))
+        } else {
+            let (least, largest) = span(estimate.unknown, exponent)?;
+            let is_beyond = value.abs() > FACTOR * largest || value.abs() < least / FACTOR;
+            is_beyond.then(|| {
+                let (least, largest) = (number(least), number(largest));
+                format!("{name} is {}, where the soils of the catalogue have {least} to {largest} in size", number(value))
+            })
+        };
+        detail.map(|detail| Warning::new("implausible_estimate", format!("{detail}: check the units (SI)")))
+    };
+    estimates.iter().filter_map(warning).collect()
+}
+
+/// The sizes that a parameter has among the soils of the catalogue; the least is 0 where 0 is a usual value.
+fn span(unknown: Unknown, exponent: f64) -> Option<(f64, f64)> {
+    let number = |record: &SoilRecord, name: &str| record.values.get(name).map(|value| value.value.abs());
+    let is_like = |record: &SoilRecord| number(record, "n0").is_some_and(|n0| (n0 - exponent).abs() <= LIKE_EXPONENT);
+    let is_bekker = |record: &SoilRecord| record.law.as_deref() == Some("bekker");
+    let soils = || catalogue::soils().iter();
+    let sizes: Vec<f64> = match unknown {
+        Unknown::Cohesion | Unknown::ShearModulus | Unknown::BaseExponent => {
+            soils().filter_map(|record| number(record, name_of(unknown))).collect()
+        }
+        Unknown::CohesiveModulus | Unknown::FrictionalModulus => {
+            let alike = soils().filter(|record| is_bekker(record) && is_like(record));
+            alike.filter_map(|record| number(record, name_of(unknown))).collect()
+        }
+        // K_s is k_c/b + k_phi, of which k_phi is the greater part.
+        Unknown::SinkageModulus => {
+            let alike = soils().filter(|record| is_like(record));
+            alike.filter_map(|record| if is_bekker(record) { number(record, "k_phi") } else { number(record, "k_s") }).collect()
+        }
+        _ => return None,
+    };
+    let largest = sizes.iter().copied().reduce(f64::max)?;
+    let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
+    let may_vanish = matches!(unknown, Unknown::Cohesion | Unknown::CohesiveModulus);
+    Some((if may_vanish { 0.0 } else { least }, largest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_soil_of_the_catalogue_is_implausible() {
+        let unknowns = [
+            Unknown::Cohesion,
+            Unknown::FrictionAngle,
+            Unknown::ShearModulus,
+            Unknown::CohesiveModulus,
+            Unknown::FrictionalModulus,
+            Unknown::BaseExponent,
+        ];
+        for record in catalogue::soils().iter().filter(|record| record.law.as_deref() == Some("bekker")) {
+            let of = |name: &str| record.values.get(name).map(|value| value.value);
+            let estimates: Vec<Estimate> = unknowns
+                .into_iter()
+                .filter_map(|unknown| {
+                    let value = of(name_of(unknown))?;
+                    let identifiability = terramechanics_identification::Identifiability::Determined;
+                    Some(Estimate { unknown, value, standard_error: None, interval: None, at_bound: None, identifiability })
+                })
+                .collect();
+            assert_eq!(implausible(&estimates, of("n0").expect("an exponent")), [], "{}", record.id);
+        }
+    }
+}
