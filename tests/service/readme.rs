@@ -170,7 +170,7 @@ fn the_errors_of_both_laws_of_braking_are_those_of_the_service() {
         assert_row(&cells);
         braking += 1;
         if set["id"] == "cmu-grousered-braking" {
-            let errors = common_errors(&[set.clone()], &["quadrature", "quadrature_two_zone"], "drawbar_coefficient");
+            let errors = common_errors(std::slice::from_ref(&set), &["quadrature", "quadrature_two_zone"], "drawbar_coefficient");
             assert_eq!(errors.map(|(error, points)| (format!("{error:.3}"), points)), Some(("0.049".to_owned(), 3)));
         }
     }

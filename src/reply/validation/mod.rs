@@ -150,15 +150,14 @@ impl From<&'static Record> for ValidationSet {
     }
 }
 
+/// Rows without a solution, each with the reason.
+type Gaps = Vec<(usize, String)>;
+
 /// What is to be said of the predictions, each thing once.
-fn warnings(
-    gaps: &[(&'static str, Vec<(usize, String)>)],
-    cautions: Vec<(&'static str, RowCautions)>,
-    count: usize,
-) -> Vec<Warning> {
-    let mut by_gaps: Vec<(&[(usize, String)], Vec<&str>)> = Vec::new();
+fn warnings(gaps: &[(&'static str, Gaps)], cautions: Vec<(&'static str, RowCautions)>, count: usize) -> Vec<Warning> {
+    let mut by_gaps: Vec<(&Gaps, Vec<&str>)> = Vec::new();
     for (series, gaps) in gaps.iter().filter(|(_, gaps)| !gaps.is_empty()) {
-        match by_gaps.iter_mut().find(|(known, _)| known == gaps) {
+        match by_gaps.iter_mut().find(|(known, _)| *known == gaps) {
             Some((_, names)) => names.push(series),
             None => by_gaps.push((gaps, vec![series])),
         }
