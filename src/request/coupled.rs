@@ -2,7 +2,8 @@
 
 use terramechanics::{Coupled, Heading, Motion, WheelOnSoil};
 
-use super::operation::{self, MotionEntries, checked_contact, normal_stress_radius_of, within_wheel};
+use super::motion::MotionEntries;
+use super::operation::{self, checked_contact, normal_stress_radius_of, within_wheel};
 use super::{ContactDto, Request, SoilDto, WheelDto};
 use crate::wire::{Number, Scope, wire_object};
 

@@ -2,7 +2,9 @@
 
 use terramechanics::{Motion, Operation};
 
-use super::operation::{self, MethodEntries, MotionEntries, OperationEntries, operation_entries};
+use super::method::MethodEntries;
+use super::motion::MotionEntries;
+use super::operation::{self, OperationEntries, operation_entries};
 use super::side_slip::{self, SideSlipEntries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};

@@ -1,18 +1,12 @@
 //! What all requests for forces have in common: wheel, soil, contact, method and sinkage.
 
-use terramechanics::{
-    Braking, Contact, Error, ForceModel, LinearSlipSinkage, Method, Motion, NormalStressRadius, Operation, Parameter, PeakDepth,
-    Sinkage, Slip, SlipSinkage, Velocities, Wheel, WheelOnSoil,
-};
-
-use utoipa::openapi::{RefOr, Schema};
-
+use super::method::{MethodEntries, braking_law, takes_two_zones};
 use super::side_slip::SideSlipEntries;
-use super::soil::numbers_of;
-use super::{ContactDto, SoilDto, WheelDto};
-use crate::wire::{
-    Choice, Entry, FieldFault, Lambda, LambdaSpec, Nested, Number, Object, Scope, Spec, Variant, in_millimetres, tagged_schema,
-    wire_object,
+use super::{ContactDto, SlipSinkageDto, SoilDto, WheelDto};
+use crate::wire::{Choice, Entry, LambdaSpec, Nested, Number, Scope, in_millimetres};
+use terramechanics::{
+    Braking, Contact, Error, ForceModel, Method, NormalStressRadius, Operation, PeakDepth, Sinkage, SlipSinkage, Wheel,
+    WheelOnSoil,
 };
 
 pub(super) const WHEEL: Nested<WheelDto> = Nested::required("The wheel.");
@@ -64,65 +58,6 @@ fn braking_words() -> Vec<&'static str> {
     vec!["one_zone", "two_zone"]
 }
 
-/// The law for a braking wheel, `default` where none was sent; nothing where the word is wrong, which is reported.
-pub(super) fn braking_law(entry: &Entry<'_, String>, place: &Scope<'_>, default: Braking) -> Option<Braking> {
-    let law = or_none(entry, place, |word| match word {
-        "one_zone" => Some(Braking::OneZone),
-        "two_zone" => Some(Braking::TwoZone),
-        _ => None,
-    })?;
-    Some(law.unwrap_or(default))
-}
-
-/// Reports two zones with a closed form or a slip angle; false where it did.
-pub(super) fn takes_two_zones(method: Method, contact: &Contact, braking: &Entry<'_, String>, place: &Scope<'_>) -> bool {
-    if contact.braking() != Braking::TwoZone {
-        return true;
-    }
-    let refusal = match method {
-        Method::Quadrature => None,
-        Method::SideSlipping(side) => (side.angle.angle() != 0.0).then_some(Error::SlipAngleOfTwoZones),
-        Method::Linearised { .. } | Method::Explicit { .. } => Some(Error::ClosedFormOfTwoZones),
-    };
-    if let Some(error) = refusal {
-        place.field(braking.name).fault(error);
-    }
-    refusal.is_none()
-}
-
-/// The slip–sinkage laws and their parameters.
-const SLIP_SINKAGE_LAWS: &[Variant] =
-    &[Variant { name: "lyasko", required: &[], optional: &[] }, Variant { name: "linear", required: &["gain"], optional: &[] }];
-
-fn slip_sinkage_names() -> Vec<&'static str> {
-    Variant::names(SLIP_SINKAGE_LAWS)
-}
-
-fn slip_sinkage_schema(doc: &str, fields: &[(&'static str, &dyn Spec)]) -> RefOr<Schema> {
-    tagged_schema(doc, fields, "law", SLIP_SINKAGE_LAWS)
-}
-
-wire_object! {
-    /// How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s).
-    SlipSinkageDto as "SlipSinkage" with slip_sinkage_schema {
-        law: String = Choice { doc: "Name of the law.", words: slip_sinkage_names, default: None },
-        gain: f64 = Number::new("S of the linear law (–).", 0.0, 100.0),
-    }
-}
-
-impl SlipSinkageDto {
-    pub(super) fn check(&self, place: &Scope<'_>) -> Option<SlipSinkage> {
-        self.report_oddities(place);
-        self.law().required_word(place);
-        let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));
-        let [gain] = numbers_of(law, &[self.gain()], place);
-        Some(match law?.name {
-            "lyasko" => SlipSinkage::Lyasko,
-            _ => SlipSinkage::Linear(LinearSlipSinkage { gain: gain? }),
-        })
-    }
-}
-
 /// The fields of a request that make an operation; a request without a method is answered by the quadrature.
 pub(super) struct OperationEntries<'a> {
     pub(super) wheel: Entry<'a, WheelDto>,
@@ -159,13 +94,6 @@ macro_rules! operation_entries {
     };
 }
 pub(super) use operation_entries;
-
-/// The fields that choose a method.
-pub(super) struct MethodEntries<'a> {
-    pub(super) method: Entry<'a, String>,
-    pub(super) lambda_a: Entry<'a, Lambda>,
-    pub(super) lambda_b: Entry<'a, Lambda>,
-}
 
 /// An operation, and the depth under the peak that was asked for.
 pub(super) struct Checked {
@@ -282,136 +210,7 @@ pub(super) fn within_wheel(sinkage: f64, wheel: Option<&Wheel>, place: &Scope<'_
     }
 }
 
-/// How the closed forms are made.
-#[derive(Clone, Copy)]
-pub(super) struct ClosedForms {
-    /// The depth under the peak, where one was asked for.
-    pub(super) peak_depth: Option<PeakDepth>,
-    pub(super) lambda_a: terramechanics::Lambda,
-    pub(super) lambda_b: terramechanics::Lambda,
-}
-
-impl ClosedForms {
-    /// The method of that name.
-    pub(super) fn method(&self, name: &str) -> Option<Method> {
-        let Self { peak_depth, lambda_a, lambda_b } = *self;
-        match name {
-            "quadrature" => Some(Method::Quadrature),
-            "linearised" => Some(Method::Linearised { peak_depth: peak_depth.unwrap_or(PeakDepth::Geometric) }),
-            "explicit" => Some(Method::Explicit { peak_depth: peak_depth.unwrap_or(PeakDepth::Half), lambda_a, lambda_b }),
-            _ => None,
-        }
-    }
-}
-
-/// A constant of the explicit formulas, 0 where none was sent; what cannot be one is reported and stands for 0 as well.
-pub(super) fn checked_lambda(entry: &Entry<'_, Lambda>, place: &Scope<'_>) -> terramechanics::Lambda {
-    let sent = match entry.given(place) {
-        Some(Lambda::Number(value)) => {
-            entry.spec.number.check(&place.field(entry.name), *value).map(terramechanics::Lambda::Given)
-        }
-        Some(Lambda::Word(word)) if word == "exact" => Some(terramechanics::Lambda::Exact),
-        Some(Lambda::Word(_)) => {
-            place.field(entry.name).fault("must be a number or \"exact\"");
-            None
-        }
-        None => None,
-    };
-    sent.unwrap_or(terramechanics::Lambda::Given(0.0))
-}
-
-impl MethodEntries<'_> {
-    pub(super) fn check(&self, place: &Scope<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
-        let (lambda_a, lambda_b) = (checked_lambda(&self.lambda_a, place), checked_lambda(&self.lambda_b, place));
-        let closed_forms = ClosedForms { peak_depth, lambda_a, lambda_b };
-        let method = or_none(&self.method, place, |name| closed_forms.method(name));
-        Some(method?.unwrap_or(Method::Quadrature))
-    }
-}
-
 /// What `lookup` makes of the word: `Some(None)` where none was sent, `None` where it is wrong, which is reported.
 pub(super) fn or_none<T>(entry: &Entry<'_, String>, place: &Scope<'_>, lookup: impl Fn(&str) -> Option<T>) -> Option<Option<T>> {
     if entry.is_present() { entry.looked_up(place, lookup).map(Some) } else { Some(None) }
-}
-
-/// The fields that give the slip of one operating point.
-pub(super) struct MotionEntries<'a> {
-    pub(super) slip: Entry<'a, f64>,
-    pub(super) forward_velocity: Entry<'a, f64>,
-    pub(super) angular_velocity: Entry<'a, f64>,
-}
-
-impl MotionEntries<'_> {
-    /// The motion: from the slip, or from both velocities and the wheel.
-    pub(super) fn check(&self, place: &Scope<'_>, wheel: Option<&Wheel>) -> Option<Motion> {
-        let slip = self.slip.checked(place);
-        let (forward, angular) = (self.forward_velocity.checked(place), self.angular_velocity.checked(place));
-        let velocities = [&self.forward_velocity, &self.angular_velocity].map(Entry::is_present);
-        match (self.slip.is_present(), velocities) {
-            (true, [false, false]) => {
-                let slip = Slip::new(slip?).map_err(|error| place.field(self.slip.name).fault(error)).ok()?;
-                Some(Motion::forward(slip))
-            }
-            (false, [true, true]) => {
-                let velocities = Velocities { forward: forward?, angular: angular? };
-                Motion::of(wheel?, velocities).map_err(|error| place.field(self.angular_velocity.name).fault(error)).ok()
-            }
-            (true, _) => {
-                place.field(self.slip.name).fault("give either `slip` or both velocities, not both");
-                None
-            }
-            (false, [false, false]) => {
-                place.field(self.slip.name).fault("is required, or both `forward_velocity_m_s` and `angular_velocity_rad_s`");
-                None
-            }
-            (false, [there, _]) => {
-                let missing = if there { &self.angular_velocity } else { &self.forward_velocity };
-                place.field(missing.name).fault("is required with the other velocity");
-                None
-            }
-        }
-    }
-}
-
-/// The field of a request to which a refusal of the model belongs.
-pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
-    match error {
-        Error::SinkageOutsideWheel { .. } => match sinkage {
-            Sinkage::Given(_) => "/sinkage_m",
-            Sinkage::FromStatic { .. } => "/static_sinkage_m",
-            Sinkage::CarryingLoad(_) => "/normal_load_n",
-        },
-        Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
-        Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
-        Error::PeakOutsideContact { .. } => "/contact",
-        Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
-        Error::LoadNotCoupled { .. } => "/slip",
-        Error::LoadBeyondCapacity { .. }
-        | Error::LoadTooLight { .. }
-        | Error::LoadNotBalanced { .. }
-        | Error::NotFreeRolling { .. } => "/normal_load_n",
-        Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
-        Error::NotFinite => "",
-        Error::Invalid(fault) => match fault.parameter {
-            Parameter::Slip => "/slip",
-            Parameter::SlipAngle => "/slip_angle_rad",
-            Parameter::NormalLoad => "/normal_load_n",
-            Parameter::Torque => "/torque_n_m",
-            Parameter::LambdaA => "/lambda_a",
-            Parameter::LambdaB => "/lambda_b",
-            _ => "",
-        },
-    }
-}
-
-/// A refusal of the model as a fault of the request.
-pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
-    let pointer = error_pointer(error, sinkage).to_owned();
-    let detail = match (error, sinkage) {
-        (Error::SinkageOutsideWheel { .. }, Sinkage::FromStatic { .. }) => {
-            format!("by the slip–sinkage law at this slip, {error}")
-        }
-        _ => error.to_string(),
-    };
-    FieldFault { pointer, detail }
 }

@@ -3,7 +3,8 @@
 use terramechanics::{Operation, Slip};
 
 use super::axis::{SlipAxis, SlipAxisSpec};
-use super::operation::{self, MethodEntries, OperationEntries, operation_entries};
+use super::method::MethodEntries;
+use super::operation::{self, OperationEntries, operation_entries};
 use super::side_slip::{self, SideSlipEntries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Lambda, Scope, wire_object};

@@ -2,7 +2,8 @@
 
 use terramechanics::{Motion, Operation, PeakDepth};
 
-use super::operation::{self, MotionEntries, OperationEntries, operation_entries};
+use super::motion::MotionEntries;
+use super::operation::{self, OperationEntries, operation_entries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Number, Scope, wire_object};
 

@@ -2,6 +2,7 @@
 
 use terramechanics::{Braking, ForceModel, Method, Operation, Sinkage, WheelOnSoil};
 
+use super::method::braking_law;
 use super::operation;
 use super::{ContactDto, Request, SoilDto, WheelDto};
 use crate::wire::{Choice, Number, Scope, wire_object};
@@ -38,7 +39,7 @@ impl Request for TowedDto {
         let soil = self.soil().required(place).and_then(|dto| dto.check(&place.field(self.soil().name)));
         let contact = operation::checked_contact(&self.contact(), place, soil.and_then(|(_, measured)| measured));
         let load = self.normal_load_n().required_number(place);
-        let braking = operation::braking_law(&self.braking(), place, Braking::TwoZone);
+        let braking = braking_law(&self.braking(), place, Braking::TwoZone);
         let load = load?;
         let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact: contact?.with_braking(braking?) };
         let model = ForceModel::at_rim(Method::Quadrature);

@@ -3,7 +3,8 @@
 use terramechanics::{Measured, Operation, Sample, SampleMotion, ShearLaw, Sinkage, Thresholds, Tracker, Velocities};
 use terramechanics_identification::RunningStrength;
 
-use super::operation::{self, MethodEntries, OperationEntries};
+use super::method::MethodEntries;
+use super::operation::{self, OperationEntries};
 use super::series::Samples;
 use super::{ColumnsDto, ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto, collected};
 use crate::series::{Cells, Column, ExtraColumns, Layout};

@@ -7,7 +7,8 @@ use std::cell::RefCell;
 use terramechanics::{ForceModel, Method, Operation, Slip};
 
 use super::axis::{SlipOrAxis, SlipOrAxisSpec};
-use super::operation::{self, ClosedForms, OperationEntries, checked_lambda, operation_entries};
+use super::method::{ClosedForms, checked_lambda, takes_two_zones};
+use super::operation::{self, OperationEntries, operation_entries};
 use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{FieldFault, Lambda, List, Names, NamesSpec, Scope, wire_object};
 use variant::VariantDto;
@@ -120,7 +121,7 @@ impl CompareDto {
         let methods = self.methods().looked_up(place, |name| closed_forms.method(name));
         let operation = checked?.operation;
         let by_method = |method: Method| {
-            let is_taken = operation::takes_two_zones(method, &operation.system.contact, &self.braking(), place);
+            let is_taken = takes_two_zones(method, &operation.system.contact, &self.braking(), place);
             is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
         };
         methods?.into_iter().map(by_method).collect()

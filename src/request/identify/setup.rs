@@ -5,7 +5,8 @@ use terramechanics_identification::{Setup, SinkageSource, Unknown};
 
 use super::{IdentifyDto, name_of};
 use crate::request::SoilDto;
-use crate::request::operation::{self, MethodEntries, OperationEntries};
+use crate::request::method::MethodEntries;
+use crate::request::operation::{self, OperationEntries};
 use crate::wire::{Entry, Field, Scope};
 
 /// Where the pressure–sinkage law of a setup comes from.

@@ -1,0 +1,48 @@
+//! Refusals of the model as faults of the request.
+
+use terramechanics::{Error, Parameter, Sinkage};
+
+use crate::wire::FieldFault;
+
+/// The field of a request to which a refusal of the model belongs.
+pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
+    match error {
+        Error::SinkageOutsideWheel { .. } => match sinkage {
+            Sinkage::Given(_) => "/sinkage_m",
+            Sinkage::FromStatic { .. } => "/static_sinkage_m",
+            Sinkage::CarryingLoad(_) => "/normal_load_n",
+        },
+        Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
+        Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
+        Error::PeakOutsideContact { .. } => "/contact",
+        Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
+        Error::LoadNotCoupled { .. } => "/slip",
+        Error::LoadBeyondCapacity { .. }
+        | Error::LoadTooLight { .. }
+        | Error::LoadNotBalanced { .. }
+        | Error::NotFreeRolling { .. } => "/normal_load_n",
+        Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
+        Error::NotFinite => "",
+        Error::Invalid(fault) => match fault.parameter {
+            Parameter::Slip => "/slip",
+            Parameter::SlipAngle => "/slip_angle_rad",
+            Parameter::NormalLoad => "/normal_load_n",
+            Parameter::Torque => "/torque_n_m",
+            Parameter::LambdaA => "/lambda_a",
+            Parameter::LambdaB => "/lambda_b",
+            _ => "",
+        },
+    }
+}
+
+/// A refusal of the model as a fault of the request.
+pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
+    let pointer = error_pointer(error, sinkage).to_owned();
+    let detail = match (error, sinkage) {
+        (Error::SinkageOutsideWheel { .. }, Sinkage::FromStatic { .. }) => {
+            format!("by the slip–sinkage law at this slip, {error}")
+        }
+        _ => error.to_string(),
+    };
+    FieldFault { pointer, detail }
+}
