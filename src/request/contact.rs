@@ -3,7 +3,7 @@
 use terramechanics::{Contact, ContactParams, PeakRule};
 use utoipa::openapi::{RefOr, Schema};
 
-use super::soil::numbers_of;
+use super::variants::numbers_of;
 use crate::wire::{Choice, Field, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 /// The rules for the angle of maximum stress and their parameters.

@@ -3,7 +3,7 @@
 use terramechanics::{LinearSlipSinkage, SlipSinkage};
 use utoipa::openapi::{RefOr, Schema};
 
-use super::soil::numbers_of;
+use super::variants::numbers_of;
 use crate::wire::{Choice, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 /// The slip–sinkage laws and their parameters.

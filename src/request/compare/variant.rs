@@ -3,7 +3,8 @@
 use terramechanics::Operation;
 
 use super::CompareDto;
-use crate::request::soil::{PressureSinkageDto, ShearDto};
+use crate::request::pressure_sinkage::PressureSinkageDto;
+use crate::request::shear::ShearDto;
 use crate::request::{ContactDto, SlipSinkageDto, operation};
 use crate::wire::{Choice, Field, FieldFault, Label, LabelSpec, ListSpec, Nested, Object, Scope, wire_object};
 

@@ -179,7 +179,7 @@ mod tests {
             ["minimum", "maximum", "exclusiveMaximum"].map(|name| text[name].as_f64())
         };
         let (soil, contact, start) = (SoilDto::default(), ContactDto::default(), StartDto::default());
-        let law = crate::request::soil::PressureSinkageDto::default();
+        let law = crate::request::pressure_sinkage::PressureSinkageDto::default();
         for (here, there) in [
             (start.cohesion_pa(), soil.cohesion_pa()),
             (start.friction_angle_rad(), soil.friction_angle_rad()),

@@ -1,0 +1,50 @@
+//! The shear law of a soil.
+
+use terramechanics::{ShearLaw, WongPeak, WongResidual};
+use utoipa::openapi::{RefOr, Schema};
+
+use super::variants::numbers_of;
+use crate::wire::{Choice, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
+
+/// The shear laws and their parameters; Janosi–Hanamoto's is the soil's `shear_modulus_m`.
+pub(crate) const SHEAR_LAWS: &[Variant] = &[
+    Variant { name: "janosi_hanamoto", required: &[], optional: &[] },
+    Variant { name: "wong_residual", required: &["residual_ratio", "peak_displacement_m"], optional: &[] },
+    Variant { name: "wong_peak", required: &["peak_displacement_m"], optional: &[] },
+];
+
+fn shear_law_names() -> Vec<&'static str> {
+    Variant::names(SHEAR_LAWS)
+}
+
+fn shear_schema(doc: &str, fields: &[(&'static str, &dyn Spec)]) -> RefOr<Schema> {
+    tagged_schema(doc, fields, "law", SHEAR_LAWS)
+}
+
+wire_object! {
+    /// How shear strength builds up with displacement: to the full strength and no further (Janosi–Hanamoto), over a hump to a residual, or over a peak to nothing (Wong).
+    ShearDto as "Shear" with shear_schema {
+        law: String = Choice { doc: "Name of the law.", words: shear_law_names, default: None },
+        residual_ratio: f64 = Number::new("Residual over largest strength K_r (–).", 1e-3, 1.0),
+        peak_displacement_m: f64 = Number::new("Shear displacement K_w at the largest strength (m).", 1e-6, 10.0).length(),
+    }
+}
+
+impl ShearDto {
+    /// The law, or none for the one that takes the soil's own modulus; nothing where something was reported.
+    pub(super) fn check(&self, place: &Scope<'_>) -> Option<Option<ShearLaw>> {
+        self.report_oddities(place);
+        self.law().required_word(place);
+        let law = self.law().looked_up(place, |word| Variant::named(SHEAR_LAWS, word));
+        let [residual_ratio, peak_displacement] = numbers_of(law, &[self.residual_ratio(), self.peak_displacement_m()], place);
+        Some(match law?.name {
+            "janosi_hanamoto" => None,
+            "wong_residual" => Some(ShearLaw::WongResidual(WongResidual {
+                residual_ratio: residual_ratio?,
+                peak_displacement: peak_displacement?,
+            })),
+            "wong_peak" => Some(ShearLaw::WongPeak(WongPeak { peak_displacement: peak_displacement? })),
+            unread => return place.unread(unread),
+        })
+    }
+}
