@@ -251,11 +251,20 @@ def columns_are_complete(ctx, response, case):
         assert all(len(row) == len(names) for row in rows), "a row of the table is too short or too long"
         cells = [cell for row in rows for name, cell in zip(names, row) if cell and name != "status"]
     else:
-        columns = json.loads(response.content, parse_constant=not_a_number).get("columns", {})
-        assert len({len(column) for column in columns.values()}) <= 1, "the columns differ in length"
-        numbers = [column for name, column in columns.items() if name != "status"]
+        columns = list(named_columns(json.loads(response.content, parse_constant=not_a_number).get("columns", {})))
+        assert len({len(column) for _, column in columns}) <= 1, "the columns differ in length"
+        numbers = [column for name, column in columns if name != "status"]
         cells = [cell for column in numbers for cell in column if cell is not None]
     assert all(math.isfinite(float(cell)) for cell in cells), "a cell is not a finite number"
+
+
+def named_columns(columns):
+    """The columns of an answer, also those that stand in groups."""
+    for name, column in columns.items():
+        if isinstance(column, dict):
+            yield from named_columns(column)
+        else:
+            yield name, column
 
 
 def not_a_number(text):
