@@ -16,7 +16,7 @@ const MOST_BYTES = 20_000_000;
 const byId = (id) => document.getElementById(id);
 
 /** What becomes of the rows, in words. */
-function useOf({ points, track, isTooLong }, mapping) {
+function useOf({ points, track, isTooLong, odd }, mapping) {
   const rows = (count) => `${count} ${count === 1 ? "row" : "rows"}`;
   const sentences = [];
   if (points) {
@@ -25,6 +25,7 @@ function useOf({ points, track, isTooLong }, mapping) {
   }
   if (isTooLong) sentences.push(`More than the ${MOST_POINTS} rows that a fit takes, so that only the track is there.`);
   if (track && !points && !isTooLong) sentences.push("Telemetry: follow the track; points over slip need a slip, which the track brings, and a measured column beside it.");
+  if (odd.length) sentences.push(`${odd.length === 1 ? "1 cell is no number and counts as empty" : `${odd.length} cells are no numbers and count as empty, the first`}: ${odd[0].text}`);
   if (track && hasSpareVelocities(mapping)) sentences.push("The velocities are not sent, since there is a slip: ignore its column to have it from them.");
   return sentences.join(" ");
 }

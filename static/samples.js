@@ -35,8 +35,8 @@ function pointsOf(table, columns) {
   };
 }
 
-function faultsOfMapping(table, mapping, used) {
-  const faults = table.faults.filter(({ column }) => mapping[column]).map(({ text }) => text);
+function faultsOfMapping(cells, used) {
+  const faults = cells.map(({ text }) => text);
   for (const [name, { label }] of Object.entries(MEASURED)) {
     const count = used.filter(({ quantity }) => quantity === name).length;
     if (count > 1) faults.push(`${label} is chosen for ${count} columns: ignore all but one.`);
@@ -56,13 +56,15 @@ function wantingSlip(columns) {
 /**
  * `points` { data, lines, left } for curves and fit, null where there are none or too many; `track` columns for the service, null
  * where the table is no telemetry; `columns` all that were chosen; `faults` are those that stand in the way of both. `slips` are
- * those that the service has found for the rows of a track.
+ * those that the service has found for the rows of a track. A telemetry's cells that are no numbers count as empty: `odd`.
  */
 export function samplesOf(table, mapping, slips = null) {
   const used = mapping.map((mapped, column) => ({ ...mapped, column })).filter(({ quantity }) => quantity);
-  const faults = faultsOfMapping(table, mapping, used);
   const own = columnsOf(table, used);
   const track = trackOf(own);
+  const wrong = table.faults.filter(({ column }) => mapping[column]);
+  const odd = track ? wrong.filter(({ isOdd }) => isOdd).sort((a, b) => a.line - b.line) : [];
+  const faults = faultsOfMapping(wrong.filter((cell) => !odd.includes(cell)), used);
   const columns = slips && !own.slip ? { ...own, slip: slips } : own;
   const points = columns.slip && POINT_QUANTITIES.some((name) => name !== "slip" && columns[name]) ? pointsOf(table, columns) : null;
   if (!columns.slip && !track) faults.push(wantingSlip(own));
@@ -70,7 +72,7 @@ export function samplesOf(table, mapping, slips = null) {
   if (points && !points.lines.length && !track) faults.push("No row has a number in every chosen column.");
   const isTooLong = points?.lines.length > MOST_POINTS;
   if (isTooLong && !track) faults.push(`Line ${points.lines[MOST_POINTS]}: the service takes ${MOST_POINTS} rows at most.`);
-  return { points: points?.lines.length && !isTooLong ? points : null, isTooLong, track, columns, faults };
+  return { points: points?.lines.length && !isTooLong ? points : null, isTooLong, track, columns, odd, faults };
 }
 
 /** Velocities beside a slip, which are not sent. */

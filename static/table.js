@@ -7,6 +7,8 @@ const SEPARATORS = ["\t", ";", ","];
 const SEPARATOR_NAMES = { "\t": "tab", ";": "semicolon", ",": "comma" };
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const WITH_COMMA = /^[+-]?(\d+,\d*|,\d+)(e[+-]?\d+)?$/i;
+/** What spreadsheets write into a cell that has no value, which in the first column is no comment. */
+const SHEET_ERROR = /^#(N\/A|DIV\/0!|VALUE!|REF!|NAME\?|NUM!|NULL!)/;
 const NOTHING = /^(nan|n\/?a|null|none|[-–—])?$/i;
 
 /** What is wrong with a table, and where. */
@@ -53,12 +55,13 @@ function decimalOf(rows) {
 
 /**
  * `columns`: [{ heading, unit, cells, texts }] where a cell stands as in the file and a text is a number in the notation of programs, or null where the cell is empty;
- * `faults`: [{ line, column, text }] cells that are neither, by the index of their column; `lines`: line of each row in the file.
+ * `faults`: [{ line, column, text, isOdd }] cells that are neither, by the index of their column, odd where the column's first cell says
+ * that the form is right; `lines`: line of each row in the file.
  */
 export function parseTable(text) {
   const lines = text.replace(/^\uFEFF/, "").split(/\r\n|\n|\r/)
     .map((line, index) => ({ line, number: index + 1 }))
-    .filter(({ line }) => line.trim() && !line.startsWith("#"));
+    .filter(({ line }) => line.trim() && !(line.startsWith("#") && !SHEET_ERROR.test(line)));
   if (!lines.length) throw new TableFault(null, "The table is empty.");
   const separator = SEPARATORS.find((each) => lines[0].line.includes(each)) ?? ",";
   const rows = lines.map(({ line, number }) => ({ number, cells: cellsOf(line, separator, number) }));
@@ -82,13 +85,13 @@ export function parseTable(text) {
     heading,
     unit: units[column] ?? "",
     cells: rows.map(({ cells }) => cells[column]),
-    texts: rows.map(({ cells, number }) => {
+    texts: rows.map(({ cells, number }, row) => {
       const cell = plain(cells[column]);
       if (isEmpty(cell)) return null;
       const pointed = decimal === "," ? cell.replace(",", ".") : cell;
       if (NUMBER.test(pointed)) return pointed;
       const advice = isNumber(cell) ? "has a decimal comma where other cells have a decimal point" : "is no number";
-      faults.push({ line: number, column, text: `Line ${number}, column ${column + 1} (${heading}): “${cells[column]}” ${advice}.` });
+      faults.push({ line: number, column, isOdd: row > 0 && !isNumber(cell), text: `Line ${number}, column ${column + 1} (${heading}): “${cells[column]}” ${advice}.` });
       return null;
     }),
   }));

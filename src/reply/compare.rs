@@ -23,7 +23,7 @@ pub(crate) struct CompareReply {
     series: Vec<Series>,
     /// By column: the highest of all series minus the lowest, in the column's unit.
     spread: BTreeMap<&'static str, Spread>,
-    /// The warnings of every series, with its variant and method.
+    /// The warnings: those of all series once, the others with variant and method of their series.
     warnings: Vec<Warning>,
 }
 
@@ -53,7 +53,7 @@ fn sweep(operation: Operation, slips: &[Slip]) -> SweepReply {
 impl From<&CompareQuery> for CompareReply {
     fn from(query: &CompareQuery) -> Self {
         let CompareQuery { cases, slips } = query;
-        let mut warnings = Vec::new();
+        let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
         let mut series: Vec<Series> = Vec::new();
         for case @ Case { variant, operations } in cases {
             let sweeps: Vec<SweepReply> = operations.iter().map(|&operation| sweep(operation, slips)).collect();
@@ -63,16 +63,27 @@ impl From<&CompareQuery> for CompareReply {
                 .iter()
                 .map(|sweep| found.map(|quadrature| differences(&sweep.columns, &quadrature.columns)).unwrap_or_default())
                 .collect();
-            for (SweepReply { method, columns, warnings: told }, gap_to_quadrature) in sweeps.into_iter().zip(gaps) {
+            for (SweepReply { method, columns, warnings }, gap_to_quadrature) in sweeps.into_iter().zip(gaps) {
                 let name = variant.as_ref().map_or_else(|| method.to_owned(), |variant| format!("{variant}, {method}"));
-                warnings.extend(told.into_iter().map(|told| Warning { detail: format!("{name}: {}", told.detail), ..told }));
+                told.push((name, warnings));
                 let difference = differences(&columns, series.first().map_or(&columns, |first| &first.columns));
                 series.push(Series { variant: variant.clone(), method, columns, difference, gap_to_quadrature });
             }
         }
         let spread = spread(&series);
-        Self { slip: Column(slips.iter().map(|slip| slip.ratio()).collect()), series, spread, warnings }
+        Self { slip: Column(slips.iter().map(|slip| slip.ratio()).collect()), series, spread, warnings: gathered(&told) }
     }
+}
+
+/// What is said of every series, once; then what is said of some, with the name of each.
+fn gathered(told: &[(String, Vec<Warning>)]) -> Vec<Warning> {
+    let is_of_all = |warning: &Warning| told.iter().all(|(_, warnings)| warnings.contains(warning));
+    let of_all = told.first().into_iter().flat_map(|(_, warnings)| warnings).filter(|warning| is_of_all(warning)).cloned();
+    let of_some = told.iter().flat_map(|(name, warnings)| {
+        let of_some = warnings.iter().filter(|warning| !is_of_all(warning));
+        of_some.map(move |warning| Warning { detail: format!("{name}: {}", warning.detail), ..warning.clone() })
+    });
+    of_all.chain(of_some).collect()
 }
 
 fn spread(series: &[Series]) -> BTreeMap<&'static str, Spread> {

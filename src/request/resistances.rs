@@ -31,7 +31,11 @@ impl Request for ResistancesDto {
 
     fn check(&self, place: &Scope<'_>) -> Option<ResistancesQuery> {
         let wheel = self.wheel().required(place).and_then(|dto| dto.check(&place.field(self.wheel().name)));
-        let soil = self.soil().required(place).and_then(|dto| dto.check(&place.field(self.soil().name)));
+        // Nothing but the thrust, which needs a slip, depends on the shear.
+        let soil = self.soil().required(place).and_then(|dto| {
+            let dto = if self.slip().is_present() { dto.clone() } else { dto.with_any_shear() };
+            dto.check(&place.field(self.soil().name))
+        });
         let normal_load = self.normal_load_n().required_number(place);
         let slip = self.slip().checked(place).and_then(|ratio| Slip::new(ratio).ok());
         // The estimates know no contact rule: any will do.

@@ -144,6 +144,21 @@ impl SoilDto {
         (soil, is_known)
     }
 
+    /// The soil with any shear modulus where neither it nor its preset has a shear law, for what does not depend on the shear.
+    pub(super) fn with_any_shear(&self) -> Self {
+        let published = match &self.preset {
+            Field::Given(id) => {
+                catalogue::soil(id).is_some_and(|record| record.shear().is_some() || record.number("shear_modulus_m").is_some())
+            }
+            Field::Absent | Field::Wrong(_) => false,
+        };
+        let mut soil = self.clone();
+        if !published && !self.shear().is_present() && !self.shear_modulus_m().is_present() {
+            soil.shear_modulus_m = Field::Given(0.01);
+        }
+        soil
+    }
+
     /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.
     fn shear_law(
         &self,

@@ -212,6 +212,15 @@ fn points_without_a_solution_are_left_out_of_the_differences() {
 }
 
 #[test]
+fn what_is_said_of_every_series_is_said_once() {
+    let reply = post("/v1/compare", &comparison(json!({"slip": [0.1, 0.5, 0.8]}))).ok();
+    let details: Vec<&str> =
+        reply["warnings"].as_array().expect("warnings").iter().filter_map(|w| w["detail"].as_str()).collect();
+    let of_all: Vec<&&str> = details.iter().filter(|detail| detail.contains("diameter (m) is 0.4")).collect();
+    assert!(matches!(of_all[..], [detail] if detail.starts_with("diameter")), "{details:?}");
+}
+
+#[test]
 fn a_table_names_its_columns_by_method() {
     let columns = table(&post_for_csv("/v1/compare", &comparison(json!({"methods": ["explicit", "quadrature"]}))).text);
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();

@@ -103,6 +103,14 @@ fn a_slip_of_the_units_is_called_implausible() {
     }
     let warnings = codes(&post("/v1/identify/shear", &body).ok());
     assert!(warnings.contains("implausible_estimate") && warnings.contains("60 degrees"), "{warnings}");
+    // Shear stresses in kPa: next to no friction.
+    let mut body = shear();
+    for curve in body["curves"].as_array_mut().expect("curves") {
+        let stresses = curve["columns"]["shear_stress_pa"].as_array_mut().expect("a column");
+        stresses.iter_mut().for_each(|stress| *stress = json!(1e-3 * stress.as_f64().expect("a number")));
+    }
+    let warnings = codes(&post("/v1/identify/shear", &body).ok());
+    assert!(warnings.contains("implausible_estimate") && warnings.contains("friction_angle_rad is"), "{warnings}");
 }
 
 #[test]

@@ -36,6 +36,16 @@ fn the_lunar_roving_vehicle_is_the_worked_example() {
     assert_eq!(reply["warnings"], json!([]));
 }
 
+#[test]
+fn what_does_not_depend_on_the_shear_needs_no_shear_modulus() {
+    let mut body = lunar(json!({"slip": null}));
+    let known = post(PATH, &body).ok();
+    body["soil"].as_object_mut().expect("an object").remove("shear_modulus_m");
+    assert_eq!(post(PATH, &body).ok(), known);
+    body["slip"] = json!(0.05);
+    assert_eq!(post(PATH, &body).pointers(), ["/soil/shear_modulus_m"]);
+}
+
 /// Sixty random cases at fifty digits, by an implementation independent of this one.
 #[test]
 fn sixty_cases_of_another_program_come_back_over_http() {

@@ -22,13 +22,26 @@ pub(in crate::reply) fn implausible(estimates: &[Estimate], exponent: f64) -> Ve
         let name = name_of(estimate.unknown);
         let value = estimate.value;
         let detail = if estimate.unknown == Unknown::FrictionAngle {
-            (value > STEEPEST).then(|| format!("{name} is {}, beyond 60 degrees, which no soil has", number(value)))
+            let least = span(estimate.unknown, exponent).map_or(0.0, |(least, _)| least);
+            match value {
+                _ if value > STEEPEST => Some(format!("{name} is {}, beyond 60 degrees, which no soil has", number(value))),
+                _ if is_surely_below(estimate, least / FACTOR) => {
+                    Some(format!("{name} is {}, where the soils of the catalogue have {} at least", number(value), number(least)))
+                }
+                _ => None,
+            }
         } else {
             let (least, largest) = span(estimate.unknown, exponent)?;
-            let is_beyond = value.abs() > FACTOR * largest || value.abs() < least / FACTOR;
-            is_beyond.then(|| {
+            let is_small = match estimate.unknown {
+                // Next to nothing is usual, so that it has to be told from nothing.
+                Unknown::Cohesion => is_surely_below(estimate, least / FACTOR),
+                Unknown::CohesiveModulus => false,
+                _ => value.abs() < least / FACTOR,
+            };
+            (is_small || value.abs() > FACTOR * largest).then(|| {
                 let (least, largest) = (number(least), number(largest));
-                format!("{name} is {}, where the soils of the catalogue have {least} to {largest} in size", number(value))
+                let soils = if is_modulus(estimate.unknown) { "soils of like exponent" } else { "soils" };
+                format!("{name} is {}, where the {soils} of the catalogue have {least} to {largest} in size", number(value))
             })
         };
         detail.map(|detail| Warning::new("implausible_estimate", format!("{detail}: check the units (SI)")))
@@ -36,14 +49,23 @@ pub(in crate::reply) fn implausible(estimates: &[Estimate], exponent: f64) -> Ve
     estimates.iter().filter_map(warning).collect()
 }
 
-/// The sizes that a parameter has among the soils of the catalogue; the least is 0 where 0 is a usual value.
+/// Whether an estimate is small and yet not nothing, as its interval tells.
+fn is_surely_below(estimate: &Estimate, limit: f64) -> bool {
+    estimate.value < limit && estimate.interval.is_some_and(|[lower, _]| lower > 0.0)
+}
+
+fn is_modulus(unknown: Unknown) -> bool {
+    matches!(unknown, Unknown::SinkageModulus | Unknown::CohesiveModulus | Unknown::FrictionalModulus)
+}
+
+/// The sizes other than 0 that a parameter has among the soils of the catalogue.
 fn span(unknown: Unknown, exponent: f64) -> Option<(f64, f64)> {
     let number = |record: &SoilRecord, name: &str| record.values.get(name).map(|value| value.value.abs());
     let is_like = |record: &SoilRecord| number(record, "n0").is_some_and(|n0| (n0 - exponent).abs() <= LIKE_EXPONENT);
     let is_bekker = |record: &SoilRecord| record.law.as_deref() == Some("bekker");
     let soils = || catalogue::soils().iter();
     let sizes: Vec<f64> = match unknown {
-        Unknown::Cohesion | Unknown::ShearModulus | Unknown::BaseExponent => {
+        Unknown::Cohesion | Unknown::FrictionAngle | Unknown::ShearModulus | Unknown::BaseExponent => {
             soils().filter_map(|record| number(record, name_of(unknown))).collect()
         }
         Unknown::CohesiveModulus | Unknown::FrictionalModulus => {
@@ -57,10 +79,8 @@ fn span(unknown: Unknown, exponent: f64) -> Option<(f64, f64)> {
         }
         _ => return None,
     };
-    let largest = sizes.iter().copied().reduce(f64::max)?;
-    let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
-    let may_vanish = matches!(unknown, Unknown::Cohesion | Unknown::CohesiveModulus);
-    Some((if may_vanish { 0.0 } else { least }, largest))
+    let sizes = || sizes.iter().copied().filter(|size| *size > 0.0);
+    Some((sizes().reduce(f64::min)?, sizes().reduce(f64::max)?))
 }
 
 #[cfg(test)]

@@ -51,9 +51,15 @@ enum Expected {
 enum Within {
     /// Between records.
     Nothing,
+    /// At the beginning of a line with `#`: a comment, unless it turns out as one of [`ERRORS`].
+    Hash([u8; LONGEST_ERROR], usize),
     Comment,
     Record,
 }
+
+/// What spreadsheets write into a cell that has no value; in the first column it looks like a comment.
+const ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#VALUE!", b"#REF!", b"#NAME?", b"#NUM!", b"#NULL!"];
+const LONGEST_ERROR: usize = 7;
 
 impl std::fmt::Debug for CsvReader {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -155,11 +161,26 @@ impl CsvReader {
             let mut outcome = (ReadRecordResult::InputEmpty, 0, 0, 0);
             match (*within, source.first()) {
                 // Comments end with a carriage return as well, which the reader of records would pass over.
-                (Within::Nothing, Some(b'#')) => *within = Within::Comment,
+                (Within::Nothing, Some(b'#')) => *within = Within::Hash([0; LONGEST_ERROR], 0),
                 (Within::Nothing, Some(b'\n' | b'\r')) => outcome.1 = 1,
                 (Within::Nothing, Some(_)) => {
                     *within = Within::Record;
                     self.line = self.line_ends + 1;
+                }
+                (Within::Hash(mut begun, length), Some(&byte)) => {
+                    begun[length] = byte; // none of the errors goes on after the longest
+                    let begun_with = &begun[..=length];
+                    if ERRORS.contains(&begun_with) {
+                        *within = Within::Record;
+                        self.line = self.line_ends + 1;
+                        let (_, _, written, ended) = core.read_record(begun_with, &mut self.record, &mut self.ends);
+                        outcome = (ReadRecordResult::InputEmpty, 1, written, ended);
+                    } else if ERRORS.iter().any(|error| error.starts_with(begun_with)) {
+                        *within = Within::Hash(begun, length + 1);
+                        outcome.1 = 1;
+                    } else {
+                        *within = Within::Comment;
+                    }
                 }
                 (Within::Comment, Some(_)) => {
                     let end = source.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
@@ -169,7 +190,7 @@ impl CsvReader {
                 (Within::Record, Some(_)) => {
                     outcome = core.read_record(source, &mut self.record[self.filled..], &mut self.ends[self.cells..]);
                 }
-                (Within::Nothing | Within::Comment, None) => outcome.0 = ReadRecordResult::End,
+                (Within::Nothing | Within::Hash(..) | Within::Comment, None) => outcome.0 = ReadRecordResult::End,
                 (Within::Record, None) => {
                     // The line end that the last row may lack: only within quotes it is one more byte of the cell.
                     outcome = core.read_record(b"\n", &mut self.record[self.filled..], &mut self.ends[self.cells..]);

@@ -19,6 +19,7 @@ const AWKWARD: &[&str] = &[
     "time_s,slip\n0,0.1\n1,\"0.1\n2,0.1\n",
     "time_s,slip\n0,0.1\n1,\"0.1\"",
     "time_s,slip\n0,0.1\n1,\"",
+    "#N/A\ntime_s,slip\n0,0.1\n#N/A,0.1\n#DIV/0! ,0.1\n#NA,0.1\n#",
 ];
 
 #[test]
@@ -121,6 +122,13 @@ fn lines_are_counted_whatever_ends_them() {
         let fault = all(&[text.as_bytes()]).fault.expect("a fault");
         assert_eq!((fault.line, fault.column), (line, column), "{text:?}");
     }
+}
+
+#[test]
+fn an_error_of_a_spreadsheet_in_the_first_column_is_no_comment() {
+    let whole = all(&[b"time_s,slip\n0,0.1\n#N/A,0.2\n#DIV/0!,0.2\n#NAME?,0.2\n# N/A\n#end,4\n1,0.1\n"]);
+    assert_eq!(whole.fault.map(|fault| fault.line), None);
+    assert_eq!(whole.rows.len(), 5);
 }
 
 #[test]
