@@ -1,6 +1,6 @@
 //! The request of `/v1/coupled`.
 
-use terramechanics::{Coupled, Heading, Motion, WheelOnSoil};
+use terramechanics::{Coupled, Motion, WheelOnSoil};
 
 use super::motion::MotionEntries;
 use super::operation::{self, checked_contact, normal_stress_radius_of, within_wheel};
@@ -58,14 +58,13 @@ impl Request for CoupledDto {
         let torque = self.torque_n_m().checked(place);
         let normal_stress_radius = normal_stress_radius_of(&self.normal_stress_radius(), place);
         let motion = motion?;
-        let ahead = if motion.heading == Heading::Backward { -1.0 } else { 1.0 };
         Some(CoupledQuery {
             system: WheelOnSoil { wheel: wheel?, soil: soil?.0, contact: contact? },
             motion,
             sinkage: sinkage?,
             known: Coupled {
                 normal_load: normal_load?,
-                torque: torque.map(|torque| ahead * torque),
+                torque: torque.map(|torque| motion.heading.as_forward(torque)),
                 normal_stress_radius: normal_stress_radius?,
             },
         })

@@ -87,10 +87,7 @@ impl SoilDto {
     /// The soil with a value for each of `fitted` that neither it nor its preset has; and whether the preset's law gave way to
     /// the direct one, because the modulus of that is fitted.
     pub(super) fn filled(&self, fitted: &[(&'static str, f64)]) -> (Self, bool) {
-        let preset = match &self.preset {
-            Field::Given(id) => catalogue::soil(id),
-            Field::Absent | Field::Wrong(_) => None,
-        };
+        let preset = self.record();
         let mut soil = self.clone();
         for &(name, value) in fitted {
             let field = match name {
@@ -123,6 +120,14 @@ impl SoilDto {
         (soil, gives_way)
     }
 
+    /// What the catalogue has of the preset, if it is one; nothing is reported.
+    fn record(&self) -> Option<&'static SoilRecord> {
+        match &self.preset {
+            Field::Given(id) => catalogue::soil(id),
+            Field::Absent | Field::Wrong(_) => None,
+        }
+    }
+
     /// The soil with other laws, where there are any.
     pub(super) fn with_laws(&self, shear: &Entry<'_, ShearDto>, pressure_sinkage: &Entry<'_, PressureSinkageDto>) -> Self {
         let (shear, pressure_sinkage) = (shear.or(&self.shear), pressure_sinkage.or(&self.pressure_sinkage));
@@ -132,10 +137,7 @@ impl SoilDto {
     /// The soil with any law where neither it nor its preset has a pressure–sinkage law, for what that law cancels in; and whether
     /// it has one of its own.
     pub(super) fn with_any_law(&self) -> (Self, bool) {
-        let published = match &self.preset {
-            Field::Given(id) => catalogue::soil(id).is_some_and(|record| record.pressure_sinkage().is_some()),
-            Field::Absent | Field::Wrong(_) => false,
-        };
+        let published = self.record().is_some_and(|record| record.pressure_sinkage().is_some());
         let mut soil = self.clone();
         let is_known = self.pressure_sinkage().is_present() || published;
         if !is_known {
@@ -146,12 +148,8 @@ impl SoilDto {
 
     /// The soil with any shear modulus where neither it nor its preset has a shear law, for what does not depend on the shear.
     pub(super) fn with_any_shear(&self) -> Self {
-        let published = match &self.preset {
-            Field::Given(id) => {
-                catalogue::soil(id).is_some_and(|record| record.shear().is_some() || record.number("shear_modulus_m").is_some())
-            }
-            Field::Absent | Field::Wrong(_) => false,
-        };
+        let published =
+            self.record().is_some_and(|record| record.shear().is_some() || record.number("shear_modulus_m").is_some());
         let mut soil = self.clone();
         if !published && !self.shear().is_present() && !self.shear_modulus_m().is_present() {
             soil.shear_modulus_m = Field::Given(0.01);

@@ -65,6 +65,17 @@ pub enum Heading {
     Backward,
 }
 
+impl Heading {
+    /// A force along x or a torque, measured with this heading, of the wheel that moves forward.
+    #[must_use]
+    pub fn as_forward(self, value: f64) -> f64 {
+        match self {
+            Self::Forward => value,
+            Self::Backward => -value,
+        }
+    }
+}
+
 /// Velocities of the axle and of the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Velocities {
@@ -72,6 +83,14 @@ pub struct Velocities {
     pub forward: f64,
     /// Angular velocity ω of the wheel (rad/s), positive when it rolls forward.
     pub angular: f64,
+}
+
+impl Velocities {
+    /// The direction in which the wheel moves, if neither has the other's opposite sign.
+    #[must_use]
+    pub fn heading(&self) -> Heading {
+        if self.forward < 0.0 || self.angular < 0.0 { Heading::Backward } else { Heading::Forward }
+    }
 }
 
 /// Slip and the direction in which the wheel moves.
@@ -117,7 +136,7 @@ impl Motion {
         if forward * angular < 0.0 || (forward != 0.0 && angular != 0.0 && forward.signum() != angular.signum()) {
             return Err(Error::OppositeRotation { forward_velocity: forward, angular_velocity: angular });
         }
-        let heading = if forward < 0.0 || angular < 0.0 { Heading::Backward } else { Heading::Forward };
+        let heading = velocities.heading();
         let (axle, rim) = (forward.abs(), (wheel.radius() * angular).abs());
         let slip = if axle == rim {
             0.0

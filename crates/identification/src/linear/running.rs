@@ -253,8 +253,10 @@ fn rolling_sample(sample: &Sample, row: &TrackRow) -> Option<RollingSample> {
         return None;
     };
     // A wheel that moves backwards is the mirror image: its torque drives it the other way.
-    let is_backward = matches!(sample.motion, SampleMotion::Velocities(of) if of.forward < 0.0 || of.angular < 0.0);
-    let torque = if is_backward { -measured.torque } else { measured.torque };
+    let torque = match sample.motion {
+        SampleMotion::Velocities(velocities) => velocities.heading().as_forward(measured.torque),
+        SampleMotion::Slip(_) => measured.torque,
+    };
     Some(RollingSample { slip: Slip::new(row.slip).ok()?, sinkage, load: measured.normal_load, torque })
 }
 

@@ -241,10 +241,9 @@ impl Tracker {
         if torque || load {
             return Err(Uncoupled::Missing { torque, load });
         }
-        let ahead = if motion.heading == Heading::Backward { -measured.torque } else { measured.torque };
         let known = Coupled {
             normal_load: measured.normal_load,
-            torque: Some(ahead),
+            torque: Some(motion.heading.as_forward(measured.torque)),
             normal_stress_radius: self.operation.model.normal_stress_radius,
         };
         let rolling = self.operation.system.rolling(motion.slip);
