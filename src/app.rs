@@ -10,7 +10,7 @@ use axum::middleware;
 use axum::response::{IntoResponse, Response};
 use tower_http::catch_panic::CatchPanicLayer;
 
-use crate::compute::Pool;
+use crate::compute::{Pool, PoolBounds};
 use crate::metrics::Metrics;
 use crate::problem::Problem;
 use crate::{docs, observe, openapi, page, paths};
@@ -24,8 +24,12 @@ pub struct Limits {
     pub body_deadline: Duration,
     /// Time in which a long computation has to end.
     pub compute_deadline: Duration,
+    /// Computations that run at once.
+    pub compute_threads: usize,
     /// Long computations that may run or wait.
     pub compute_places: usize,
+    /// Highest price of one computation (processor time).
+    pub price: Duration,
     /// Streams that may be open.
     pub stream_places: usize,
     /// Time in which something of a stream has to arrive, and something of its answer has to be taken.
@@ -34,13 +38,33 @@ pub struct Limits {
     pub stream_deadline: Duration,
 }
 
+impl Limits {
+    fn pool(&self) -> PoolBounds {
+        PoolBounds {
+            threads: self.compute_threads,
+            places: self.compute_places,
+            stream_places: self.stream_places,
+            deadline: self.compute_deadline,
+            price_limit: self.price,
+        }
+    }
+
+    /// Threads of the runtime that computations may hold at once, at the most.
+    #[must_use]
+    pub fn blocking_threads(&self) -> usize {
+        self.pool().blocking_threads()
+    }
+}
+
 impl Default for Limits {
     fn default() -> Self {
         Self {
             body: 1 << 20,
             body_deadline: Duration::from_secs(10),
             compute_deadline: Duration::from_secs(30),
+            compute_threads: std::thread::available_parallelism().map_or(1, usize::from),
             compute_places: 64,
+            price: Duration::from_secs(60),
             stream_places: 64,
             stream_idle: Duration::from_secs(30),
             stream_deadline: Duration::from_secs(3600),
@@ -64,7 +88,7 @@ impl Service {
     /// A service with these limits.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
-        let pool = Pool::new(limits.compute_places, limits.stream_places, limits.compute_deadline);
+        let pool = Pool::new(&limits.pool());
         let metrics = Metrics::new(&pool);
         Self(Arc::new(Shared { limits, pool, metrics, stopping: AtomicBool::new(false) }))
     }

@@ -65,6 +65,10 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_COMPUTE_PLACES", default_value_t = 64, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
     pub compute_places: u16,
 
+    /// Highest price of one computation, in seconds of processor time; beyond that the answer is 422.
+    #[arg(long, env = "TERRAMECHANICS_PRICE_LIMIT", default_value_t = 60, value_parser = seconds(), value_name = "SECONDS")]
+    pub price_limit: u64,
+
     /// Seconds in which a long computation has to end.
     #[arg(long, env = "TERRAMECHANICS_COMPUTE_TIMEOUT", default_value_t = 30, value_parser = seconds(), value_name = "SECONDS")]
     pub compute_timeout: u64,
@@ -115,7 +119,9 @@ impl Serve {
             body: self.body_limit as usize,
             body_deadline: Duration::from_secs(self.read_timeout),
             compute_deadline: Duration::from_secs(self.compute_timeout),
+            compute_threads: self.compute_threads,
             compute_places: usize::from(self.compute_places),
+            price: Duration::from_secs(self.price_limit),
             stream_places: usize::from(self.stream_places),
             stream_idle: Duration::from_secs(self.stream_idle_timeout),
             stream_deadline: Duration::from_secs(self.stream_timeout),

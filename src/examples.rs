@@ -10,6 +10,7 @@ use utoipa::openapi::path::ParameterBuilder;
 use utoipa::openapi::{OpenApi, RefOr};
 
 use crate::catalogue;
+use crate::compute::Pace;
 use crate::extract::SeriesForm;
 use crate::reply::{
     CompareReply, CoupledReply, ForcesReply, IdentifyReply, PlatesReply, ProfileReply, Reply, ResistancesReply, ShearReply,
@@ -145,10 +146,10 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
     });
     let plates_reply = answer::<PlatesDto, _>(&plates, |query| PlatesReply::try_from(query).ok());
     let shear_reply = answer::<ShearTestsDto, _>(&shear, |query| ShearReply::try_from(query).ok());
-    let compare_reply = answer::<CompareDto, _>(&compare, |query| Some(CompareReply::from(query)));
+    let compare_reply = answer::<CompareDto, _>(&compare, |query| CompareReply::of(query, &Pace::at_once()).ok());
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
-    let sweep_reply = answer::<SweepDto, _>(&sweep, |query| Some(SweepReply::from(query)));
+    let sweep_reply = answer::<SweepDto, _>(&sweep, |query| SweepReply::of(query, &Pace::at_once()).ok());
     let towed_reply = answer::<TowedDto, _>(&towed, |query| TowedReply::try_from(query).ok());
     [
         ("/v1/forces", forces, forces_reply),

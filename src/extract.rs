@@ -38,7 +38,7 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
             Ok(Err(_)) => return Err(Problem::BrokenBody),
             Ok(Ok(body)) => body,
         };
-        service.pool().run(Cost::of_body(body.len()), move || query::<R>(&body)).await.map(Self)
+        service.pool().run(Cost::of_body(body.len()), move |_| query::<R>(&body)).await.map(Self)
     }
 }
 

@@ -37,7 +37,7 @@ fn run(settings: &Serve) -> Result<(), String> {
     start_log(settings)?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(settings.workers)
-        .max_blocking_threads(settings.compute_threads)
+        .max_blocking_threads(settings.limits().blocking_threads())
         .enable_all()
         .build()
         .map_err(|error| format!("no runtime: {error}"))?;

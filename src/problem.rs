@@ -8,6 +8,7 @@ use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use utoipa::ToSchema;
 
+use crate::compute::Stop;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
 use crate::wire::FieldFault;
@@ -51,6 +52,15 @@ pub(crate) enum Problem {
     Busy,
     /// The answer was not ready in time.
     Late(Duration),
+    /// The computation is priced above the limit, or took twice its price.
+    TooCostly {
+        /// Its price (processor time).
+        price: Duration,
+        /// Highest price taken.
+        limit: Duration,
+        /// Whether it was accepted, and ended when it had taken twice its price.
+        spent: bool,
+    },
     /// A fault of the service.
     Internal,
 }
@@ -101,7 +111,7 @@ impl Problem {
             Self::SlowBody(_) | Self::Idle(_) => StatusCode::REQUEST_TIMEOUT,
             Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
             Self::NotJsonType | Self::NotSeriesType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
-            Self::Invalid(_) => StatusCode::UNPROCESSABLE_ENTITY,
+            Self::Invalid(_) | Self::TooCostly { .. } => StatusCode::UNPROCESSABLE_ENTITY,
             Self::Busy | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
             Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
         }
@@ -121,6 +131,7 @@ impl Problem {
             Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
             Self::Busy => ("busy", "The service is busy"),
             Self::Late(_) => ("late", "The answer was not ready in time"),
+            Self::TooCostly { .. } => ("too-costly", "The computation takes too long"),
             Self::Internal => ("internal", "The service failed"),
         }
     }
@@ -148,8 +159,25 @@ impl Problem {
             },
             Self::Busy => "all places for long computations are taken, try again soon".into(),
             Self::Late(limit) => format!("no answer within {} s, try again or ask for fewer points", limit.as_secs_f64()),
+            Self::TooCostly { price, limit, spent: false } => format!(
+                "the request is priced at {} s of processor time, and {} s is the most that is taken; ask for fewer points",
+                price.as_secs_f64(),
+                limit.as_secs_f64()
+            ),
+            Self::TooCostly { price, spent: true, .. } => format!(
+                "the computation was ended after twice its price of {} s of processor time: the contact is too stiff for so many \
+                 points, ask for fewer",
+                price.as_secs_f64()
+            ),
             Self::Internal => "the request id in the header X-Request-Id leads to the cause in the log".into(),
         }
+    }
+}
+
+/// Work that was told to stop; the pool knows why and answers accordingly.
+impl From<Stop> for Problem {
+    fn from(_: Stop) -> Self {
+        Self::Busy
     }
 }
 

@@ -5,7 +5,7 @@ use axum::response::Response;
 
 use super::responses::{InvalidBody, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::CompareReply;
@@ -28,9 +28,9 @@ pub(crate) async fn compare(
     format: Format,
     Input(query): Input<CompareDto>,
 ) -> Result<Response, Problem> {
-    let cost = Cost::of_comparison(query.operations(), query.slips.len());
-    let work = move || {
-        let reply = CompareReply::from(&query);
+    let cost = Cost::of_points(query.operations(), query.slips.len());
+    let work = move |pace: &Pace| {
+        let reply = CompareReply::of(&query, pace)?;
         written(&reply, format)
     };
     service.pool().run(cost, work).await

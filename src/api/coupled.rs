@@ -6,7 +6,7 @@ use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::CoupledReply;
@@ -28,7 +28,7 @@ pub(crate) async fn coupled(
     format: Format,
     Input(query): Input<CoupledDto>,
 ) -> Result<Response, Problem> {
-    let work = move || {
+    let work = move |_: &Pace| {
         let reply = CoupledReply::try_from(&query).map_err(|error| Problem::refused(&error, &Sinkage::Given(query.sinkage)))?;
         written(&reply, format)
     };

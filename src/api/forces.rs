@@ -5,7 +5,7 @@ use axum::response::Response;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ForcesReply;
@@ -50,8 +50,8 @@ pub(crate) async fn forces_of_query(
 }
 
 async fn answer(service: &Service, query: ForcesQuery, format: Format) -> Result<Response, Problem> {
-    let cost = Cost::of_points(&query.operation, 1);
-    let work = move || {
+    let cost = Cost::of_point(&query.operation);
+    let work = move |_: &Pace| {
         let reply = ForcesReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;
         written(&reply, format)
     };

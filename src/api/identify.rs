@@ -5,7 +5,7 @@ use axum::response::Response;
 
 use super::responses::{InvalidBody, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::{IdentifyReply, PlatesReply, ShearReply};
@@ -30,7 +30,7 @@ pub(crate) async fn identify(
 ) -> Result<Response, Problem> {
     let cost = Cost::of_identification(&query);
     let patience = service.limits().compute_deadline;
-    let work = move || {
+    let work = move |_: &Pace| {
         let reply = IdentifyReply::of(&query, patience).map_err(Problem::Invalid)?;
         written(&reply, format)
     };
@@ -54,7 +54,7 @@ pub(crate) async fn plates(
     Input(query): Input<PlatesDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.curves.iter().map(|curve| curve.sinkage.len()).sum());
-    let work = move || {
+    let work = move |_: &Pace| {
         let reply = PlatesReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
         written(&reply, format)
     };
@@ -78,7 +78,7 @@ pub(crate) async fn shear(
     Input(query): Input<ShearTestsDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.0.iter().map(|curve| curve.shear.len()).sum());
-    let work = move || {
+    let work = move |_: &Pace| {
         let reply = ShearReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
         written(&reply, format)
     };

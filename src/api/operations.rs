@@ -67,5 +67,5 @@ pub(crate) async fn metrics(State(service): State<Service>) -> Result<Response, 
 )]
 pub(crate) async fn openapi(State(service): State<Service>) -> Result<Response, Problem> {
     let cost = if openapi::is_written() { Cost::NONE } else { Cost::of_contract() };
-    service.pool().run(cost, || Ok(json_text(openapi::text()))).await
+    service.pool().run(cost, |_| Ok(json_text(openapi::text()))).await
 }

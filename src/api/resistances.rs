@@ -6,7 +6,7 @@ use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ResistancesReply;
@@ -50,7 +50,7 @@ pub(crate) async fn resistances_of_query(
 }
 
 async fn answer(service: &Service, query: ResistancesQuery, format: Format) -> Result<Response, Problem> {
-    let work = move || {
+    let work = move |_: &Pace| {
         let sinkage = Sinkage::CarryingLoad(query.normal_load);
         let reply = ResistancesReply::try_from(&query).map_err(|error| Problem::refused(&error, &sinkage))?;
         written(&reply, format)

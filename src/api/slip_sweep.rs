@@ -5,7 +5,7 @@ use axum::response::Response;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::SweepReply;
@@ -50,9 +50,9 @@ pub(crate) async fn slip_sweep_of_query(
 }
 
 async fn answer(service: &Service, query: SweepQuery, format: Format) -> Result<Response, Problem> {
-    let cost = Cost::of_points(&query.operation, query.slips.len());
-    let work = move || {
-        let reply = SweepReply::from(&query);
+    let cost = Cost::of_points([query.operation], query.slips.len());
+    let work = move |pace: &Pace| {
+        let reply = SweepReply::of(&query, pace)?;
         written(&reply, format)
     };
     service.pool().run(cost, work).await

@@ -5,7 +5,7 @@ use axum::response::Response;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ProfileReply;
@@ -50,7 +50,7 @@ pub(crate) async fn stress_profile_of_query(
 
 async fn answer(service: &Service, query: ProfileQuery, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_profile(&query.operation, query.points);
-    let work = move || {
+    let work = move |_: &Pace| {
         let reply = ProfileReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;
         written(&reply, format)
     };

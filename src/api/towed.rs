@@ -5,7 +5,7 @@ use axum::response::Response;
 
 use super::responses::{InvalidBody, Limits};
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::TowedReply;
@@ -27,8 +27,8 @@ pub(crate) async fn towed(
     format: Format,
     Input(query): Input<TowedDto>,
 ) -> Result<Response, Problem> {
-    let cost = Cost::of_towed(&query.operation);
-    let work = move || {
+    let cost = Cost::of_towed();
+    let work = move |_: &Pace| {
         let reply = TowedReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;
         written(&reply, format)
     };

@@ -11,7 +11,7 @@ use utoipa::ToSchema;
 use super::catalogue::unknown;
 use super::responses::{InvalidQuery, Limits, UnknownName};
 use crate::app::Service;
-use crate::compute::{Cost, json_text, written};
+use crate::compute::{Cost, Pace, json_text, written};
 use crate::extract::{AskedFormat, FormatParameter, NoQuery};
 use crate::problem::Problem;
 use crate::reply::ValidationSet;
@@ -45,7 +45,7 @@ fn cost() -> Cost {
 pub(crate) async fn validation(State(service): State<Service>, _: NoQuery) -> Result<Response, Problem> {
     static TEXT: OnceLock<Bytes> = OnceLock::new();
     let text = || TEXT.get_or_init(|| serde_json::to_vec(&ValidationReply { sets: sets() }).unwrap_or_default().into());
-    service.pool().run(cost(), move || Ok(json_text(text().clone()))).await
+    service.pool().run(cost(), move |_| Ok(json_text(text().clone()))).await
 }
 
 /// One set of published measurements
@@ -63,7 +63,7 @@ pub(crate) async fn validation_set(
     AskedFormat(format): AskedFormat,
     Path(id): Path<String>,
 ) -> Result<Response, Problem> {
-    let work = move || {
+    let work = move |_: &Pace| {
         let set = sets().iter().find(|set| set.id == id).ok_or_else(|| unknown("validation set", &id, &validation::ids()))?;
         written(set, format)
     };

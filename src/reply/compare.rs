@@ -4,12 +4,13 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use terramechanics::{Operation, Slip};
+use terramechanics::Operation;
 use utoipa::ToSchema;
 
 use super::difference::{Difference, Spread};
 use super::slip_sweep::SweepColumns;
 use super::{Column, Reply, SweepReply, Warning};
+use crate::compute::{Pace, Stop};
 use crate::request::{Case, CompareQuery, SweepQuery};
 
 /// Forces over slip by several methods and laws, how far each is from the first and from the integral, and the spread of all.
@@ -46,18 +47,19 @@ fn differences(columns: &SweepColumns, reference: &SweepColumns) -> BTreeMap<&'s
     pairs.map(|((name, column), (_, reference))| (name, Difference::between(column, reference))).collect()
 }
 
-fn sweep(operation: Operation, slips: &[Slip]) -> SweepReply {
-    SweepReply::from(&SweepQuery { operation, slips: slips.to_vec() })
-}
-
-impl From<&CompareQuery> for CompareReply {
-    fn from(query: &CompareQuery) -> Self {
+impl CompareReply {
+    /// Every series, with its differences.
+    ///
+    /// # Errors
+    /// [`Stop`], where the work is to end.
+    pub(crate) fn of(query: &CompareQuery, pace: &Pace) -> Result<Self, Stop> {
         let CompareQuery { cases, slips } = query;
         let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
         let mut series: Vec<Series> = Vec::new();
         for case @ Case { variant, operations } in cases {
-            let sweeps: Vec<SweepReply> = operations.iter().map(|&operation| sweep(operation, slips)).collect();
-            let quadrature = case.quadrature_beside().map(|operation| sweep(operation, slips));
+            let sweep = |operation: Operation| SweepReply::of(&SweepQuery { operation, slips: slips.clone() }, pace);
+            let sweeps = operations.iter().map(|&operation| sweep(operation)).collect::<Result<Vec<_>, _>>()?;
+            let quadrature = case.quadrature_beside().map(sweep).transpose()?;
             let found = sweeps.iter().chain(&quadrature).find(|sweep| sweep.method == "quadrature");
             let gaps: Vec<_> = sweeps
                 .iter()
@@ -71,7 +73,8 @@ impl From<&CompareQuery> for CompareReply {
             }
         }
         let spread = spread(&series);
-        Self { slip: Column(slips.iter().map(|slip| slip.ratio()).collect()), series, spread, warnings: gathered(&told) }
+        let slip = Column(slips.iter().map(|slip| slip.ratio()).collect());
+        Ok(Self { slip, series, spread, warnings: gathered(&told) })
     }
 }
 

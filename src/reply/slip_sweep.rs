@@ -10,6 +10,7 @@ use utoipa::ToSchema;
 use super::forces::{COLUMNS, SIDE_COLUMNS, method_name};
 use super::warning::{RowCautions, rows_in_words, system_warnings};
 use super::{Column, Reply, Warning};
+use crate::compute::{Pace, Stop};
 use crate::request::{SweepQuery, error_pointer};
 
 /// Forces over slip.
@@ -72,10 +73,19 @@ pub(super) struct SweepColumns {
     aligning_moment_n_m: Option<Column>,
 }
 
-impl From<&SweepQuery> for SweepReply {
-    fn from(query: &SweepQuery) -> Self {
+impl SweepReply {
+    /// The forces at each slip.
+    ///
+    /// # Errors
+    /// [`Stop`], where the work is to end.
+    pub(crate) fn of(query: &SweepQuery, pace: &Pace) -> Result<Self, Stop> {
         let SweepQuery { operation, slips } = query;
-        let sweep = SlipSweep::of(operation, slips);
+        let is_light = operation.model.method.is_closed_form();
+        let mut sweep = SlipSweep::with_capacity(slips.len());
+        for &slip in slips {
+            if is_light { pace.glance() } else { pace.look() }?;
+            sweep.push(operation, slip);
+        }
         let mut warnings = gap_warnings(&sweep, |error| error_pointer(error, &operation.sinkage));
         let mut cautious = RowCautions::default();
         for (row, &slip) in slips.iter().enumerate().filter(|(row, _)| sweep.sinkage[*row].is_finite()) {
@@ -90,7 +100,7 @@ impl From<&SweepQuery> for SweepReply {
         }
         warnings.extend(cautious.into_warnings(slips.len()));
         warnings.extend(system_warnings(&operation.system.wheel, operation.system.soil.params()));
-        Self { method: method_name(&operation.model.method), columns: sweep.into(), warnings }
+        Ok(Self { method: method_name(&operation.model.method), columns: sweep.into(), warnings })
     }
 }
 

@@ -1,11 +1,13 @@
 //! A run over a series: samples in, rows out, in slices that are short enough to share the machine.
 
+use std::time::Instant;
+
 use axum::body::Bytes;
-use terramechanics::{Operation, Sample, Tracker};
+use terramechanics::{Sample, Tracker};
 use terramechanics_identification::RunningStrength;
 
-use super::{Column, Ending, MOST_IN_COLUMNS, Read, Reader, Row, RowFormat, Table, Unreadable, strength_cells};
-use crate::compute::Cost;
+use super::{Ending, MOST_IN_COLUMNS, Read, Reader, Row, RowFormat, Table, Unreadable, strength_cells};
+use crate::compute::SLICE;
 use crate::extract::SeriesForm;
 use crate::problem::Problem;
 use crate::reply::{Findings, TrackReply};
@@ -35,8 +37,8 @@ struct Started {
     tracker: Tracker,
     strength: Option<RunningStrength>,
     sink: Sink,
-    /// Rows of a slice.
-    rows: usize,
+    /// Rows between two looks at the clock, which would take a good part of the time of a light one.
+    rows_per_look: usize,
 }
 
 #[derive(Debug)]
@@ -78,9 +80,8 @@ impl Run {
             SeriesForm::Csv => table(RowFormat::Csv),
             SeriesForm::Ndjson => table(RowFormat::Ndjson),
         };
-        let typical = Operation { sinkage: plan.sample(&[1.0; Column::COUNT]).sinkage, ..self.settings.operation };
-        let rows = Cost::points_in_a_slice(&typical);
-        self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), strength, sink, rows });
+        let rows_per_look = if self.settings.operation.model.method.is_closed_form() { 32 } else { 1 };
+        self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), strength, sink, rows_per_look });
         Ok(())
     }
 
@@ -95,9 +96,11 @@ impl Run {
     }
 
     fn rows(&mut self, input: &mut &[u8], last: bool, output: &mut Vec<u8>) -> Result<Progress, Problem> {
+        let slice_end = Instant::now() + SLICE;
         let mut rows = 0;
         loop {
-            if output.len() >= PIECE || self.started.as_ref().is_some_and(|started| rows >= started.rows) {
+            let looks = self.started.as_ref().is_some_and(|started| rows % started.rows_per_look == 0);
+            if output.len() >= PIECE || (looks && Instant::now() >= slice_end) {
                 return Ok(Progress::Paused);
             }
             let read = self.read(input, last)?;

@@ -9,6 +9,7 @@ mod coupled;
 mod curves;
 mod documents;
 mod forces;
+mod heavy;
 mod identify;
 mod page;
 mod presets;

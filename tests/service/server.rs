@@ -10,15 +10,15 @@ use crate::asking::letter;
 const PROGRAM: &str = env!("CARGO_BIN_EXE_terramechanics");
 
 /// Long enough for any answer on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(20);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
 
-struct Server {
+pub(crate) struct Server {
     child: Child,
     address: SocketAddr,
 }
 
 impl Server {
-    fn start(settings: &[&str]) -> Self {
+    pub(crate) fn start(settings: &[&str]) -> Self {
         let mut child = Command::new(PROGRAM)
             .args(["--listen", "127.0.0.1:0"])
             .args(settings)
@@ -32,13 +32,13 @@ impl Server {
         Self { address: address.parse().expect("an address"), child }
     }
 
-    fn connect(&self) -> TcpStream {
+    pub(crate) fn connect(&self) -> TcpStream {
         let stream = TcpStream::connect(self.address).expect("a connection");
         stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
         stream
     }
 
-    fn ask(&self, path: &str, body: Option<&str>) -> String {
+    pub(crate) fn ask(&self, path: &str, body: Option<&str>) -> String {
         let mut stream = self.connect();
         stream.write_all(message(path, body, true).as_bytes()).expect("sent");
         let mut answer = String::new();
@@ -71,7 +71,7 @@ impl Drop for Server {
     }
 }
 
-fn message(path: &str, body: Option<&str>, close: bool) -> String {
+pub(crate) fn message(path: &str, body: Option<&str>, close: bool) -> String {
     let connection = if close { "close" } else { "keep-alive" };
     match body {
         None => format!("GET {path} HTTP/1.1\r\nHost: test\r\nConnection: {connection}\r\n\r\n"),

@@ -91,49 +91,63 @@ impl SlipSweep {
         sweep
     }
 
+    /// Columns without rows, with room for `rows`.
+    #[must_use]
+    pub fn with_capacity(rows: usize) -> Self {
+        let mut sweep = Self::default();
+        for column in sweep.columns_mut() {
+            column.reserve_exact(rows);
+        }
+        sweep
+    }
+
     /// The same into columns that are there already, without allocating where they are long enough.
     pub fn fill(&mut self, operation: &Operation, slips: &[Slip]) {
         self.gaps.clear();
         self.side.clear();
-        let side_slipping = matches!(operation.model.method, Method::SideSlipping(_));
         for column in self.columns_mut() {
             column.clear();
             column.reserve(slips.len());
         }
-        for (row, &slip) in slips.iter().enumerate() {
-            let point = operation.at(slip);
-            if side_slipping {
-                self.side.push(point.as_ref().ok().and_then(|point| point.forces.side));
+        for &slip in slips {
+            self.push(operation, slip);
+        }
+    }
+
+    /// Adds the row of `slip`, for a caller that has to look up between rows. All rows of a sweep are of one `operation`.
+    pub fn push(&mut self, operation: &Operation, slip: Slip) {
+        let point = operation.at(slip);
+        if matches!(operation.model.method, Method::SideSlipping(_)) {
+            self.side.push(point.as_ref().ok().and_then(|point| point.forces.side));
+        }
+        let values = match point {
+            Ok(point) => {
+                let forces = &point.forces;
+                let parts = &forces.components;
+                [
+                    slip.ratio(),
+                    point.sinkage,
+                    forces.longitudinal,
+                    forces.normal,
+                    forces.torque,
+                    parts.traction,
+                    parts.resistance,
+                    parts.normal_support,
+                    parts.shear_support,
+                    forces.drawbar_coefficient().unwrap_or(f64::NAN),
+                    forces.tractive_efficiency(&operation.system.wheel, slip, Heading::Forward).unwrap_or(f64::NAN),
+                    forces.integration_error,
+                ]
             }
-            let values = match point {
-                Ok(point) => {
-                    let forces = &point.forces;
-                    let parts = &forces.components;
-                    [
-                        slip.ratio(),
-                        point.sinkage,
-                        forces.longitudinal,
-                        forces.normal,
-                        forces.torque,
-                        parts.traction,
-                        parts.resistance,
-                        parts.normal_support,
-                        parts.shear_support,
-                        forces.drawbar_coefficient().unwrap_or(f64::NAN),
-                        forces.tractive_efficiency(&operation.system.wheel, slip, Heading::Forward).unwrap_or(f64::NAN),
-                        forces.integration_error,
-                    ]
-                }
-                Err(error) => {
-                    self.gaps.push(Gap { row, error });
-                    let mut values = [f64::NAN; Self::COLUMNS];
-                    values[0] = slip.ratio();
-                    values
-                }
-            };
-            for (column, value) in self.columns_mut().into_iter().zip(values) {
-                column.push(value);
+            Err(error) => {
+                self.gaps.push(Gap { row: self.slip.len(), error });
+                let mut values = [f64::NAN; Self::COLUMNS];
+                values[0] = slip.ratio();
+                values
             }
+        };
+        for (column, value) in self.columns_mut().into_iter().zip(values) {
+            column.push(value);
         }
     }
 

@@ -89,6 +89,15 @@ impl Method {
     /// The explicit method as published: half of the sinkage at the peak, λ_A = λ_B = 0.
     pub const EXPLICIT: Self =
         Self::Explicit { peak_depth: PeakDepth::Half, lambda_a: Lambda::Given(0.0), lambda_b: Lambda::Given(0.0) };
+
+    /// Whether the forces are a closed form: a fraction of a microsecond, where an integral takes several.
+    #[must_use]
+    pub fn is_closed_form(&self) -> bool {
+        match self {
+            Self::Linearised { .. } | Self::Explicit { .. } => true,
+            Self::Quadrature | Self::SideSlipping(_) => false,
+        }
+    }
 }
 
 /// A method together with the radius of the normal stress.

@@ -1,0 +1,165 @@
+//! What a computation costs, known from its input before it runs.
+//!
+//! Two figures. What it usually takes decides whether it is short, and so goes before the long ones. Its price is what it may
+//! take: work is ended at twice that. Both are processor time on a machine of 2026.
+
+use std::time::Duration;
+
+use terramechanics::{Method, Operation, Sinkage};
+
+use super::SLICE;
+use crate::request::IdentifyQuery;
+
+/// The cost of a computation, in nanoseconds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cost {
+    usual: f64,
+    price: f64,
+}
+
+/// Below this, work on the thread of a connection holds up the other connections of that thread too little to be noticed.
+const NEXT_TO_NOTHING: f64 = 100e3;
+
+/// What goes on top of a price by the point, so that a few stiff contacts, each of which may take a hundred times what is
+/// usual, are not ended: the dearest that was found took 45 ms.
+const ALLOWANCE: f64 = 1e9;
+
+/// The price of a single contact that is solved: see [`ALLOWANCE`].
+const SOLVED: f64 = 60e6;
+
+/// What one operating point costs.
+struct Point {
+    usual: f64,
+    /// Among many.
+    price: f64,
+}
+
+impl Point {
+    fn of(operation: &Operation) -> Self {
+        let is_solved = matches!(operation.sinkage, Sinkage::CarryingLoad(_));
+        let (usual, price) = match (operation.model.method, is_solved) {
+            (Method::Linearised { .. } | Method::Explicit { .. }, false) => (300.0, 2e3),
+            (Method::Linearised { .. } | Method::Explicit { .. }, true) => (2e3, 30e3),
+            (Method::Quadrature, false) => (4e3, 80e3),
+            (Method::Quadrature, true) => (20e3, 300e3),
+            (Method::SideSlipping(_), false) => (20e3, 300e3),
+            (Method::SideSlipping(_), true) => (200e3, 3e6),
+        };
+        Self { usual, price }
+    }
+
+    /// Of writing its row.
+    const ROW: f64 = 2e3;
+}
+
+impl Cost {
+    /// Of what is there already.
+    pub(crate) const NONE: Self = Self { usual: 0.0, price: 0.0 };
+
+    const fn fixed(nanoseconds: f64) -> Self {
+        Self { usual: nanoseconds, price: nanoseconds }
+    }
+
+    #[cfg(test)]
+    pub(super) const fn long(price: Duration) -> Self {
+        Self { usual: 1e9, price: price.as_nanos() as f64 }
+    }
+
+    #[cfg(test)]
+    pub(super) const fn short(price: Duration) -> Self {
+        Self { usual: 0.0, price: price.as_nanos() as f64 }
+    }
+
+    /// Of one operating point.
+    pub(crate) fn of_point(operation: &Operation) -> Self {
+        let Point { usual, price } = Point::of(operation);
+        let is_solved = matches!(operation.sinkage, Sinkage::CarryingLoad(_));
+        Self { usual: usual + Point::ROW, price: if is_solved { SOLVED } else { price } }
+    }
+
+    /// Of `points` operating points of each of several operations, and of writing their rows.
+    pub(crate) fn of_points(operations: impl IntoIterator<Item = Operation>, points: usize) -> Self {
+        let count = points as f64;
+        let (mut usual, mut price) = (0.0, 0.0);
+        for operation in operations {
+            let point = Point::of(&operation);
+            usual += count * (point.usual + Point::ROW);
+            price += count * (point.price + Point::ROW);
+        }
+        let allowance = if price > NEXT_TO_NOTHING { ALLOWANCE } else { 0.0 };
+        Self { usual, price: price + allowance }
+    }
+
+    /// Of one evaluation of closed forms.
+    pub(crate) fn of_closed_forms() -> Self {
+        Self::fixed(1e3)
+    }
+
+    /// Of measurements that are predicted under their load, counted by quadratures: closed forms take next to nothing.
+    pub(crate) fn of_validation((straight, sideways): (usize, usize)) -> Self {
+        let (straight, sideways) = (straight as f64, sideways as f64);
+        Self { usual: 20e3 * straight + 200e3 * sideways, price: ALLOWANCE + 2e6 * straight + 6e6 * sideways }
+    }
+
+    /// Of a towed wheel, whose skid takes fifteen load balances, and up to a hundred.
+    pub(crate) fn of_towed() -> Self {
+        Self { usual: 0.5e6, price: ALLOWANCE }
+    }
+
+    /// Of an identification: a line through the samples, or a search that may spend its evaluations.
+    pub(crate) fn of_identification(query: &IdentifyQuery) -> Self {
+        match query {
+            IdentifyQuery::Linear(query) => {
+                // With a law, the quadrature a few times for each sample.
+                let each = if query.law_known { 100e3 } else { 2e3 };
+                Self::of_fit(query.observations.slip.len() as f64 * each)
+            }
+            IdentifyQuery::Fit(query) => Self::of_fit(query.options.evaluations as f64 * 200.0),
+        }
+    }
+
+    /// Of fitting curves with `points` points in all: a shear modulus is tried a few hundred times.
+    pub(crate) fn of_curves(points: usize) -> Self {
+        Self::of_fit(points as f64 * 10e3)
+    }
+
+    /// A fit is never done on the thread of a connection: how long a search takes stands in no formula.
+    fn of_fit(usual: f64) -> Self {
+        Self { usual, price: ALLOWANCE + 4.0 * usual }
+    }
+
+    /// Of writing the contract, with the answer to each of its examples.
+    pub(crate) fn of_contract() -> Self {
+        Self { usual: 100e6, price: ALLOWANCE }
+    }
+
+    /// Of reading a request body of `bytes`.
+    pub(crate) fn of_body(bytes: usize) -> Self {
+        let usual = bytes as f64 * 8.0;
+        Self { usual, price: if usual > NEXT_TO_NOTHING { 10.0 * usual + SOLVED } else { usual } }
+    }
+
+    /// Of a profile with `points` places at one operating point.
+    pub(crate) fn of_profile(operation: &Operation, points: usize) -> Self {
+        let places = points as f64 * 500.0;
+        match operation.sinkage {
+            Sinkage::CarryingLoad(_) => Self { usual: Point::of(operation).usual + places, price: SOLVED + 4.0 * places },
+            _ => Self { usual: places, price: 4.0 * places },
+        }
+    }
+
+    /// Whether it may be done on the thread of a connection.
+    pub(super) fn is_next_to_nothing(self) -> bool {
+        self.price <= NEXT_TO_NOTHING
+    }
+
+    /// Whether it is usually done before its first slice is over.
+    pub(super) fn is_short(self) -> bool {
+        self.usual <= 0.5 * SLICE.as_nanos() as f64
+    }
+
+    /// The price.
+    pub(super) fn price(self) -> Duration {
+        Duration::try_from_secs_f64(1e-9 * self.price).unwrap_or(Duration::MAX)
+    }
+}

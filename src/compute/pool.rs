@@ -1,0 +1,183 @@
+//! The pool: threads for what takes longer than a request may hold up the others of its thread.
+//!
+//! Work on the pool has a place (so many may run or wait), takes turns with the rest ([`Pace`]) and ends when it is done, its
+//! caller has gone, its deadline has passed or it has taken twice its price.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+
+use super::cost::Cost;
+use super::pace::{Pace, Stop, Terms};
+use super::turns::{Class, Turns};
+use crate::problem::Problem;
+
+/// How many times its price work may cost.
+const OVERDRAFT: u32 = 2;
+
+/// Places for short work, for each place for long work: they take next to no memory and are soon free again.
+const SHORT_PLACES: usize = 4;
+
+/// Bounds of the pool.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PoolBounds {
+    /// Computations that run at once.
+    pub(crate) threads: usize,
+    /// Long computations that may run or wait.
+    pub(crate) places: usize,
+    /// Streams that may be open.
+    pub(crate) stream_places: usize,
+    /// Time in which a computation has to end.
+    pub(crate) deadline: Duration,
+    /// Highest price of one computation (processor time).
+    pub(crate) price_limit: Duration,
+}
+
+impl PoolBounds {
+    /// Threads of the runtime that the pool may hold at once: a computation that waits for its next turn keeps its own.
+    pub(crate) fn blocking_threads(&self) -> usize {
+        self.places * (1 + SHORT_PLACES) + self.threads
+    }
+}
+
+/// The pool. Streams have places of their own: they are open for as long as their clients send, and must not keep the others
+/// out; and so has short work, which long work must not keep out.
+#[derive(Debug, Clone)]
+pub(crate) struct Pool {
+    turns: Turns,
+    places: Arc<Semaphore>,
+    short_places: Arc<Semaphore>,
+    stream_places: Arc<Semaphore>,
+    deadline: Duration,
+    price_limit: Duration,
+}
+
+impl Pool {
+    pub(crate) fn new(bounds: &PoolBounds) -> Self {
+        let places = |count: usize| Arc::new(Semaphore::new(count));
+        Self {
+            turns: Turns::new(bounds.threads),
+            places: places(bounds.places),
+            short_places: places(bounds.places * SHORT_PLACES),
+            stream_places: places(bounds.stream_places),
+            deadline: bounds.deadline,
+            price_limit: bounds.price_limit,
+        }
+    }
+
+    /// Places that are free for long computations.
+    pub(crate) fn free_places(&self) -> usize {
+        self.places.available_permits()
+    }
+
+    /// Places that are free for streams.
+    pub(crate) fn free_stream_places(&self) -> usize {
+        self.stream_places.available_permits()
+    }
+
+    /// A place for a computation that goes on in slices.
+    ///
+    /// # Errors
+    /// [`Problem::Busy`] if none is free.
+    pub(crate) fn place(&self) -> Result<Place, Problem> {
+        Place::of(&self.places, &self.turns)
+    }
+
+    /// A place for a stream.
+    ///
+    /// # Errors
+    /// [`Problem::Busy`] if none is free.
+    pub(crate) fn stream_place(&self) -> Result<Place, Problem> {
+        Place::of(&self.stream_places, &self.turns)
+    }
+
+    /// What `work` returns, run where its cost allows. The work looks up to its pace often.
+    ///
+    /// # Errors
+    /// [`Problem::TooCostly`] for a price above the limit, and where the work took far more than its price; [`Problem::Busy`] if
+    /// no place is free, [`Problem::Late`] if the result takes too long, [`Problem::Internal`] if the work panics, and what the
+    /// work itself refuses.
+    pub(crate) async fn run<T, F>(&self, cost: Cost, work: F) -> Result<T, Problem>
+    where
+        T: Send + 'static,
+        F: FnOnce(&Pace) -> Result<T, Problem> + Send + 'static,
+    {
+        if cost.is_next_to_nothing() {
+            return work(&Pace::at_once());
+        }
+        let price = cost.price();
+        if price > self.price_limit {
+            return Err(Problem::TooCostly { price, limit: self.price_limit, spent: false });
+        }
+        let class = if cost.is_short() { Class::Short } else { Class::Long };
+        let places = if class == Class::Short { &self.short_places } else { &self.places };
+        let place = Place::of(places, &self.turns)?;
+        let caller = Caller::default();
+        let terms = Terms { gone: caller.0.clone(), deadline: Instant::now() + self.deadline, most: price * OVERDRAFT };
+        let turns = self.turns.clone();
+        let computed = async {
+            let turn = turns.turn(class).await;
+            let turns = turns.clone();
+            let task = tokio::task::spawn_blocking(move || {
+                let pace = Pace::of(&turns, turn, terms);
+                let result = work(&pace);
+                drop(place); // free again when the work is done, not when its client has gone
+                (result, pace.stop())
+            });
+            task.await
+        };
+        match tokio::time::timeout(self.deadline, computed).await {
+            Err(_) | Ok(Ok((_, Some(Stop::Late | Stop::Gone)))) => Err(Problem::Late(self.deadline)),
+            Ok(Ok((_, Some(Stop::Overspent)))) => Err(Problem::TooCostly { price, limit: self.price_limit, spent: true }),
+            Ok(Ok((result, None))) => result,
+            Ok(Err(panic)) => Err(panicked(&panic)),
+        }
+    }
+}
+
+/// The caller of a piece of work. Its future is dropped when the client goes or the deadline passes, and this with it.
+#[derive(Debug, Default)]
+struct Caller(Arc<AtomicBool>);
+
+impl Drop for Caller {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+/// A place on the pool, free again when it is dropped.
+#[derive(Debug)]
+pub(crate) struct Place {
+    _permit: OwnedSemaphorePermit,
+    turns: Turns,
+}
+
+impl Place {
+    fn of(places: &Arc<Semaphore>, turns: &Turns) -> Result<Self, Problem> {
+        let permit = places.clone().try_acquire_owned().map_err(|_| Problem::Busy)?;
+        Ok(Self { _permit: permit, turns: turns.clone() })
+    }
+
+    /// What a slice of work returns. It ends by itself, after about [`SLICE`](super::SLICE).
+    ///
+    /// # Errors
+    /// [`Problem::Internal`] if the work panics.
+    pub(crate) async fn run<T: Send + 'static>(&self, slice: impl FnOnce() -> T + Send + 'static) -> Result<T, Problem> {
+        let turn = self.turns.turn(Class::Long).await;
+        let task = tokio::task::spawn_blocking(move || {
+            let _turn = turn;
+            slice()
+        });
+        task.await.map_err(|panic| panicked(&panic))
+    }
+}
+
+fn panicked(panic: &tokio::task::JoinError) -> Problem {
+    tracing::error!(%panic, "a computation panicked");
+    Problem::Internal
+}
+
+#[cfg(test)]
+mod tests;
