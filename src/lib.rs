@@ -11,6 +11,7 @@ pub mod config;
 mod docs;
 mod examples;
 mod extract;
+pub mod log;
 mod metrics;
 mod observe;
 mod openapi;

@@ -10,6 +10,7 @@ mod curves;
 mod documents;
 mod forces;
 mod identify;
+mod log;
 mod page;
 mod presets;
 mod problems;

@@ -12,18 +12,22 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_terramechanics");
 /// Long enough for any answer on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-struct Server {
-    child: Child,
-    address: SocketAddr,
+pub(crate) struct Server {
+    pub(crate) child: Child,
+    pub(crate) address: SocketAddr,
 }
 
 impl Server {
-    fn start(settings: &[&str]) -> Self {
+    pub(crate) fn start(settings: &[&str]) -> Self {
+        Self::logging_to(Stdio::null(), settings)
+    }
+
+    pub(crate) fn logging_to(log: Stdio, settings: &[&str]) -> Self {
         let mut child = Command::new(PROGRAM)
             .args(["--listen", "127.0.0.1:0"])
             .args(settings)
             .stdout(Stdio::piped())
-            .stderr(Stdio::null())
+            .stderr(log)
             .spawn()
             .expect("the program starts");
         let mut line = String::new();
@@ -32,13 +36,13 @@ impl Server {
         Self { address: address.parse().expect("an address"), child }
     }
 
-    fn connect(&self) -> TcpStream {
+    pub(crate) fn connect(&self) -> TcpStream {
         let stream = TcpStream::connect(self.address).expect("a connection");
         stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
         stream
     }
 
-    fn ask(&self, path: &str, body: Option<&str>) -> String {
+    pub(crate) fn ask(&self, path: &str, body: Option<&str>) -> String {
         let mut stream = self.connect();
         stream.write_all(message(path, body, true).as_bytes()).expect("sent");
         let mut answer = String::new();
@@ -46,13 +50,13 @@ impl Server {
         answer
     }
 
-    fn signal(&self, name: &str) {
+    pub(crate) fn signal(&self, name: &str) {
         let id = self.child.id().to_string();
         // The shell has `kill` built in; the program of that name is missing from small systems.
         assert!(Command::new("sh").args(["-c", "kill \"$0\" \"$1\"", name, &id]).status().expect("a shell").success());
     }
 
-    fn exit_code(&mut self) -> Option<i32> {
+    pub(crate) fn exit_code(&mut self) -> Option<i32> {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
             if let Some(status) = self.child.try_wait().expect("a status") {
@@ -71,7 +75,7 @@ impl Drop for Server {
     }
 }
 
-fn message(path: &str, body: Option<&str>, close: bool) -> String {
+pub(crate) fn message(path: &str, body: Option<&str>, close: bool) -> String {
     let connection = if close { "close" } else { "keep-alive" };
     match body {
         None => format!("GET {path} HTTP/1.1\r\nHost: test\r\nConnection: {connection}\r\n\r\n"),
