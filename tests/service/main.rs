@@ -9,6 +9,7 @@ mod coupled;
 mod curves;
 mod documents;
 mod forces;
+mod http1;
 mod identify;
 mod log;
 mod page;
