@@ -15,7 +15,7 @@ use hyper::body::{Frame, SizeHint};
 use tokio::runtime::Handle;
 
 /// Most that is read of a body that nobody wants (bytes).
-const MOST: usize = 8 << 20;
+const MOST: usize = 64 << 20;
 
 /// Longest for which it is read.
 const LONGEST: Duration = Duration::from_secs(2);
