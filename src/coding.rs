@@ -4,7 +4,7 @@
 use std::io;
 
 use async_compression::tokio::bufread::{GzipDecoder, ZlibDecoder};
-use axum::body::Body;
+use axum::body::{Body, HttpBody};
 use axum::http::HeaderMap;
 use axum::http::header::{CONTENT_ENCODING, CONTENT_LENGTH};
 use http_body_util::{BodyDataStream, BodyExt};
@@ -31,6 +31,9 @@ enum Coding {
 /// # Errors
 /// [`Problem::UnknownCoding`] for a coding that is not unpacked, and for several on top of each other.
 pub(crate) fn unpacked(body: Body, headers: &mut HeaderMap) -> Result<Body, Problem> {
+    if body.is_end_stream() {
+        return Ok(body); // there is nothing that could be packed
+    }
     let coding = coding(headers)?;
     if headers.remove(CONTENT_ENCODING).is_none() || coding == Coding::Identity {
         return Ok(body);
