@@ -13,7 +13,8 @@ use tower_http::catch_panic::CatchPanicLayer;
 use crate::compute::{Pool, PoolBounds};
 use crate::metrics::Metrics;
 use crate::problem::Problem;
-use crate::{docs, observe, openapi, page, paths};
+use crate::wire::shortened;
+use crate::{docs, http1, observe, openapi, page, paths};
 
 /// Limits of the service.
 #[derive(Debug, Clone, Copy)]
@@ -128,13 +129,14 @@ pub fn layered(routes: Router<Service>, service: Service) -> Router {
         .fallback(|uri: Uri| async move { nothing_at(uri.path()) })
         .method_not_allowed_fallback(|uri: Uri| async move { Problem::MethodNotAllowed(paths::methods_of(uri.path())) })
         .layer(CatchPanicLayer::custom(panicked))
+        .layer(middleware::from_fn(http1::receive))
         .layer(middleware::from_fn_with_state(service.clone(), observe::observe))
         .with_state(service)
 }
 
 fn nothing_at(path: &str) -> Problem {
     let meant = paths::meant_by(path).map_or_else(String::new, |meant| format!("; did you mean {meant}?"));
-    Problem::NotFound(format!("no such path: {path}{meant}"))
+    Problem::NotFound(format!("no such path: {}{meant}", shortened(path)))
 }
 
 fn panicked(cause: Box<dyn std::any::Any + Send>) -> Response {

@@ -5,14 +5,15 @@ use std::sync::Arc;
 
 use axum::Router;
 use axum::body::Bytes;
-use axum::extract::Path;
 use axum::http::header::{CONTENT_SECURITY_POLICY, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use utoipa_swagger_ui::{Config, serve};
 
 use crate::app::Service;
+use crate::extract::Name;
 use crate::problem::Problem;
+use crate::wire::shortened;
 
 /// Swagger UI sets styles on its elements from scripts, which needs `'unsafe-inline'` for styles; scripts stay its own.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
@@ -26,7 +27,7 @@ pub(crate) fn routes() -> Router<Service> {
     Router::new()
         .route("/docs", get(|| async move { file("index.html", &index) }))
         .route("/docs/", get(|| async { axum::response::Redirect::permanent("/docs") }))
-        .route("/docs/{name}", get(|Path(name): Path<String>| async move { file(&name, &config) }))
+        .route("/docs/{name}", get(|Name(name): Name| async move { file(&name, &config) }))
 }
 
 fn file(name: &str, config: &Arc<Config<'static>>) -> Result<Response, Problem> {
@@ -34,7 +35,7 @@ fn file(name: &str, config: &Arc<Config<'static>>) -> Result<Response, Problem> 
         tracing::error!(%error, "the explorer could not be read");
         Problem::Internal
     })?;
-    let file = found.ok_or_else(|| Problem::NotFound(format!("no such file: {name}")))?;
+    let file = found.ok_or_else(|| Problem::NotFound(format!("no such file: {}", shortened(name))))?;
     let bytes = match file.bytes {
         // Its page names its files relative to /docs/, but is served at /docs.
         bytes if name == "index.html" => {

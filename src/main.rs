@@ -1,16 +1,16 @@
 //! The program: settings, log, runtime, server.
 
-use std::io::{IsTerminal, Read, Write};
+use std::io::{Read, Write};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
 use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
-use terramechanics_server::config::{Command, Config, LogFormat, Serve, check_environment};
+use terramechanics_server::config::{Command, Config, Serve, check_environment};
+use terramechanics_server::log::Log;
 use terramechanics_server::server::{Bounds, serve, told_to_stop};
 use terramechanics_server::{Service, app, openapi_text};
 use tokio::net::TcpListener;
-use tracing_subscriber::EnvFilter;
 
 /// Steadier memory under load than the system's allocator.
 #[global_allocator]
@@ -34,7 +34,7 @@ fn main() -> ExitCode {
 }
 
 fn run(settings: &Serve) -> Result<(), String> {
-    start_log(settings)?;
+    let _log = Log::start(settings)?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(settings.workers)
         .max_blocking_threads(settings.limits().blocking_threads())
@@ -53,7 +53,10 @@ fn run(settings: &Serve) -> Result<(), String> {
             head_deadline: Duration::from_secs(settings.read_timeout),
             grace: Duration::from_secs(settings.grace),
         };
-        let _ = writeln!(std::io::stdout(), "The page is at http://{address}/, the API explorer at http://{address}/docs");
+        // Nothing waits for whoever reads the output.
+        std::thread::spawn(move || {
+            writeln!(std::io::stdout(), "The page is at http://{address}/, the API explorer at http://{address}/docs")
+        });
         tracing::info!(%address, version = env!("CARGO_PKG_VERSION"), "serving");
         serve(listener, app, service, bounds, stop).await;
         Ok::<_, String>(())
@@ -61,17 +64,6 @@ fn run(settings: &Serve) -> Result<(), String> {
     // What still computes is bounded, but nobody waits for it any more.
     runtime.shutdown_background();
     tracing::info!("stopped");
-    Ok(())
-}
-
-fn start_log(settings: &Serve) -> Result<(), String> {
-    let filter = EnvFilter::try_new(&settings.log).map_err(|error| format!("--log: {error}"))?;
-    let colours = std::io::stderr().is_terminal();
-    let log = tracing_subscriber::fmt().with_env_filter(filter).with_ansi(colours).with_writer(std::io::stderr);
-    match settings.log_format {
-        LogFormat::Text => log.init(),
-        LogFormat::Json => log.json().flatten_event(true).init(),
-    }
     Ok(())
 }
 

@@ -11,6 +11,7 @@ use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
 use prometheus_client::registry::{Registry, Unit};
 
 use crate::compute::Pool;
+use crate::log;
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
 struct RequestLabels {
@@ -45,6 +46,7 @@ impl Metrics {
         registry.register("http_requests", "Requests answered", requests.clone());
         registry.register_with_unit("http_request_duration", "Time to an answer", Unit::Seconds, durations.clone());
         registry.register("http_connections", "Open connections", connections.clone());
+        registry.register("log_lines_dropped", "Lines of the log that could not be written in time", log::dropped());
         registry.register("compute_places_free", "Free places for long computations", places.clone());
         registry.register("stream_places_free", "Free places for streams", stream_places.clone());
         Self { registry, requests, durations, connections, places, stream_places, pool: pool.clone() }

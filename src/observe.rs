@@ -19,6 +19,9 @@ const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 /// Longest request id taken over from a client (bytes).
 const LONGEST_ID: usize = 128;
 
+/// Longest method that a line of the log shows (bytes).
+const LONGEST_METHOD: usize = 20;
+
 /// Wraps every request.
 pub(crate) async fn observe(State(service): State<Service>, request: Request, next: Next) -> Response {
     let start = Instant::now();
@@ -37,14 +40,18 @@ pub(crate) async fn observe(State(service): State<Service>, request: Request, ne
     response
 }
 
-/// One line per request: failures of the service as errors, of clients as information, the rest for those who debug.
+/// One line per request: failures of the service as errors, what it has no room or time for as warnings, failures of clients as
+/// information, the rest for those who debug.
 fn log(id: &HeaderValue, method: &axum::http::Method, route: &str, status: StatusCode, micros: u128) {
     let id = id.to_str().unwrap_or("");
+    // A method is any word that a client makes up, as long as the head may be.
+    let method = method.as_str().get(..LONGEST_METHOD).unwrap_or(method.as_str());
     let status = status.as_u16();
     match status {
-        500.. => tracing::error!(request_id = id, %method, route, status, micros, "answered"),
-        400.. => tracing::info!(request_id = id, %method, route, status, micros, "answered"),
-        _ => tracing::debug!(request_id = id, %method, route, status, micros, "answered"),
+        503 => tracing::warn!(request_id = id, method, route, status, micros, "answered"),
+        500.. => tracing::error!(request_id = id, method, route, status, micros, "answered"),
+        400.. => tracing::info!(request_id = id, method, route, status, micros, "answered"),
+        _ => tracing::debug!(request_id = id, method, route, status, micros, "answered"),
     }
 }
 

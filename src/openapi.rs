@@ -42,10 +42,15 @@ pub(crate) fn documented_routes() -> Router<Service> {
     router().split_for_parts().0
 }
 
+/// The document before its examples are computed.
+pub(crate) fn without_examples() -> Document {
+    router().into_openapi()
+}
+
 /// The document.
 #[must_use]
 pub fn document() -> Document {
-    let mut document = router().into_openapi();
+    let mut document = without_examples();
     examples::attach(&mut document);
     document
 }

@@ -4,7 +4,6 @@ use std::borrow::Cow;
 
 use axum::Router;
 use axum::body::Bytes;
-use axum::extract::Path;
 use axum::http::header::{CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, IF_NONE_MATCH, REFERRER_POLICY};
 use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
@@ -12,7 +11,9 @@ use axum::routing::get;
 use rust_embed::{Embed, EmbeddedFile};
 
 use crate::app::Service;
+use crate::extract::Name;
 use crate::problem::Problem;
+use crate::wire::shortened;
 
 #[derive(Embed)]
 #[folder = "static/"]
@@ -26,12 +27,13 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; i
 pub(crate) fn routes() -> Router<Service> {
     Router::new()
         .route("/", get(|headers: HeaderMap| async move { file("index.html", &headers) }))
-        .route("/static/{name}", get(|Path(name): Path<String>, headers: HeaderMap| async move { file(&name, &headers) }))
+        .route("/static/{name}", get(|Name(name): Name, headers: HeaderMap| async move { file(&name, &headers) }))
         .route("/favicon.ico", get(|headers: HeaderMap| async move { file("icon.svg", &headers) }))
 }
 
 fn file(name: &str, request: &HeaderMap) -> Result<Response, Problem> {
-    let EmbeddedFile { data, metadata } = Files::get(name).ok_or_else(|| Problem::NotFound(format!("no such file: {name}")))?;
+    let EmbeddedFile { data, metadata } =
+        Files::get(name).ok_or_else(|| Problem::NotFound(format!("no such file: {}", shortened(name))))?;
     let hash: String = metadata.sha256_hash()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
     let tag = HeaderValue::from_str(&format!("\"{hash}\"")).map_err(|_| Problem::Internal)?;
     let headers = [

@@ -12,7 +12,7 @@ struct Known {
 }
 
 static KNOWN: LazyLock<Vec<Known>> = LazyLock::new(|| {
-    let document = openapi::document();
+    let document = openapi::without_examples();
     let of_contract = document.paths.paths.into_iter().map(|(template, item)| {
         let methods = [(item.get.is_some(), "GET"), (item.post.is_some(), "POST")];
         Known { template, methods: methods.into_iter().filter(|(is_there, _)| *is_there).map(|(_, name)| name).collect() }

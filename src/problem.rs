@@ -2,13 +2,14 @@
 
 use std::time::Duration;
 
-use axum::http::header::{CONTENT_TYPE, RETRY_AFTER};
+use axum::http::header::{ACCEPT_ENCODING, CONTENT_TYPE, RETRY_AFTER};
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use utoipa::ToSchema;
 
 use crate::compute::Stop;
+use crate::coding;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
 use crate::wire::FieldFault;
@@ -27,6 +28,10 @@ pub(crate) enum Problem {
     },
     /// The body could not be received.
     BrokenBody,
+    /// The head of the request can be read in several ways.
+    Ambiguous(&'static str),
+    /// The body has a coding that is not unpacked.
+    UnknownCoding,
     /// There is nothing at the path.
     NotFound(String),
     /// The path has no such method; those that it has, where the contract has the path.
@@ -105,13 +110,13 @@ impl Problem {
 
     pub(crate) fn status(&self) -> StatusCode {
         match self {
-            Self::NotJson { .. } | Self::BrokenBody | Self::Unreadable(_) => StatusCode::BAD_REQUEST,
+            Self::NotJson { .. } | Self::BrokenBody | Self::Ambiguous(_) | Self::Unreadable(_) => StatusCode::BAD_REQUEST,
             Self::NotFound(_) => StatusCode::NOT_FOUND,
             Self::MethodNotAllowed(_) => StatusCode::METHOD_NOT_ALLOWED,
             Self::SlowBody(_) | Self::Idle(_) => StatusCode::REQUEST_TIMEOUT,
             Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
-            Self::NotJsonType | Self::NotSeriesType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
             Self::Invalid(_) | Self::TooCostly { .. } => StatusCode::UNPROCESSABLE_ENTITY,
+            Self::UnknownCoding | Self::NotJsonType | Self::NotSeriesType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
             Self::Busy | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
             Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
         }
@@ -121,6 +126,8 @@ impl Problem {
         match self {
             Self::NotJson { .. } => ("not-json", "The body is not JSON"),
             Self::BrokenBody => ("broken-body", "The body could not be received"),
+            Self::Ambiguous(_) => ("ambiguous-request", "The request is not clear"),
+            Self::UnknownCoding => ("unsupported-coding", "The body has a coding that is not known"),
             Self::NotFound(_) => ("not-found", "There is nothing here"),
             Self::MethodNotAllowed(_) => ("method-not-allowed", "The method is not allowed here"),
             Self::Unreadable(_) => ("unreadable-series", "The series cannot be read"),
@@ -136,11 +143,17 @@ impl Problem {
         }
     }
 
-    /// What happened, in words.
+    /// What happened, in words of one line.
     pub(crate) fn detail(&self) -> String {
+        legible(&self.words())
+    }
+
+    fn words(&self) -> String {
         match self {
             Self::NotJson { detail, .. } => detail.clone(),
-            Self::BrokenBody => "the connection broke or the body was malformed".into(),
+            Self::BrokenBody => "the connection broke, or the body was malformed or could not be unpacked".into(),
+            Self::Ambiguous(fault) => (*fault).into(),
+            Self::UnknownCoding => format!("send the body as it is, or with one Content-Encoding of {}", coding::TAKEN),
             Self::NotFound(path) => path.clone(),
             Self::MethodNotAllowed(Some(methods)) => format!("use {methods}; the header Allow lists the methods of this path"),
             Self::MethodNotAllowed(None) => "the header Allow lists the methods of this path".into(),
@@ -192,6 +205,7 @@ impl From<Problem> for ProblemBody {
         };
         let detail = problem.detail();
         let errors = if let Problem::Invalid(errors) = problem { errors } else { Vec::new() };
+        let errors = errors.into_iter().map(|fault| FieldFault { detail: legible(&fault.detail), ..fault }).collect();
         let kind = format!("urn:terramechanics:problem:{name}");
         Self { kind, title, status, detail, errors, line, column }
     }
@@ -200,11 +214,47 @@ impl From<Problem> for ProblemBody {
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let status = self.status();
+        let is_of_coding = self == Self::UnknownCoding;
         let text = serde_json::to_vec(&ProblemBody::from(self)).unwrap_or_default();
         let mut response = (status, [(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"))], text).into_response();
         if status == StatusCode::SERVICE_UNAVAILABLE {
             response.headers_mut().insert(RETRY_AFTER, RETRY_AFTER_SECONDS.into());
         }
+        if is_of_coding {
+            response.headers_mut().insert(ACCEPT_ENCODING, HeaderValue::from_static(coding::TAKEN));
+        }
         response
+    }
+}
+
+/// A text of one line that reads from left to right as it was written: what a client sent must not look like something else.
+fn legible(text: &str) -> String {
+    let mut legible = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            // Marks without a width, of direction and between lines, and the tags of Unicode.
+            '\u{61c}'
+            | '\u{200b}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}'
+            | '\u{feff}'
+            | '\u{e0000}'..='\u{e007f}' => legible.extend(letter.escape_unicode()),
+            _ if letter.is_control() => legible.extend(letter.escape_default()),
+            _ => legible.push(letter),
+        }
+    }
+    legible
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_would_hide_or_turn_a_text_is_escaped() {
+        assert_eq!(legible("a\u{202e}b\n\u{1b}[1m\u{85}"), "a\\u{202e}b\\n\\u{1b}[1m\\u{85}");
+        for plain in ["`n0` is 5 kN/m³", "Schluff, größer", "土", "\"a\\b'"] {
+            assert_eq!(legible(plain), plain);
+        }
     }
 }

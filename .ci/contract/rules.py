@@ -216,11 +216,10 @@ def sent(case):
         return case.body
     body = {}
     for name in case.query or {}:
-        *around, last = name.split(".")
         place = body
-        for part in around:
+        for part in name.split("."):
+            # A name may stand for a value and for fields below it, as in `soil=1&soil.preset=letter-sand`.
             place = place.setdefault(part, {})
-        place[last] = None
     return body
 
 

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use axum::body::Bytes;
-use axum::extract::Path;
 use axum::response::Response;
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -12,7 +11,7 @@ use utoipa::ToSchema;
 use super::responses::{InvalidQuery, Limits, UnknownName};
 use crate::catalogue::{self, SoilView, WheelView};
 use crate::compute::{csv_text, json, json_text};
-use crate::extract::{Asked, Format, FormatParameter, NoQuery};
+use crate::extract::{Asked, Format, FormatParameter, Name, NoQuery};
 use crate::problem::Problem;
 use crate::request::{SoilsDto, WheelsDto};
 use crate::wire::nearest;
@@ -115,7 +114,7 @@ fn text<T: Serialize>(list: &T) -> Bytes {
     params(("id" = String, Path, description = "Name of the wheel", example = "letter")),
     responses((status = 200, description = "The wheel", body = WheelView<'static>), InvalidQuery, UnknownName, Limits)
 )]
-pub(crate) async fn wheel(Path(id): Path<String>, _: NoQuery) -> Result<Response, Problem> {
+pub(crate) async fn wheel(Name(id): Name, _: NoQuery) -> Result<Response, Problem> {
     let record = catalogue::wheel(&id).ok_or_else(|| unknown("wheel", &id, &catalogue::wheel_ids()))?;
     json(&record.view())
 }
@@ -130,7 +129,7 @@ pub(crate) async fn wheel(Path(id): Path<String>, _: NoQuery) -> Result<Response
     params(("id" = String, Path, description = "Name of the soil", example = "letter-sand")),
     responses((status = 200, description = "The soil", body = SoilView<'static>), InvalidQuery, UnknownName, Limits)
 )]
-pub(crate) async fn soil(Path(id): Path<String>, _: NoQuery) -> Result<Response, Problem> {
+pub(crate) async fn soil(Name(id): Name, _: NoQuery) -> Result<Response, Problem> {
     let record = catalogue::soil(&id).ok_or_else(|| unknown("soil", &id, &catalogue::soil_ids()))?;
     json(&record.view())
 }

@@ -42,7 +42,10 @@ impl IntoResponses for InvalidBody {
             (not_json, "The body is not JSON; line and column of the fault"),
             (Problem::SlowBody(Duration::from_secs(10)), "The body did not arrive in time"),
             (Problem::TooLarge { limit: 1 << 20 }, "The body is too large"),
-            (Problem::NotJsonType, "The body is not declared as JSON"),
+            (
+                Problem::NotJsonType,
+                "The body is not declared as JSON, or has a coding that is not unpacked; the header Accept-Encoding names those that are",
+            ),
             (refused(), "The request cannot be computed; every fault with a JSON pointer"),
         ])
     }
@@ -58,7 +61,10 @@ impl IntoResponses for InvalidSeries {
             (Problem::Unreadable(unreadable), "The body cannot be read; line and column of the fault"),
             (Problem::Idle(Duration::from_secs(30)), "The body did not arrive in time"),
             (Problem::TooLarge { limit: 1 << 20 }, "The JSON body is too large; the other forms have no limit"),
-            (Problem::NotSeriesType, "The body is not declared as JSON, CSV or NDJSON"),
+            (
+                Problem::NotSeriesType,
+                "The body is not declared as JSON, CSV or NDJSON, or has a coding that is not unpacked; the header Accept-Encoding names those that are",
+            ),
             (refused(), "The request cannot be computed; every fault with a JSON pointer"),
         ])
     }

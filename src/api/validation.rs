@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use axum::body::Bytes;
-use axum::extract::{Path, State};
+use axum::extract::State;
 use axum::response::Response;
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -12,7 +12,7 @@ use super::catalogue::unknown;
 use super::responses::{InvalidQuery, Limits, UnknownName};
 use crate::app::Service;
 use crate::compute::{Cost, Pace, json_text, written};
-use crate::extract::{AskedFormat, FormatParameter, NoQuery};
+use crate::extract::{AskedFormat, FormatParameter, Name, NoQuery};
 use crate::problem::Problem;
 use crate::reply::ValidationSet;
 use crate::validation;
@@ -61,7 +61,7 @@ pub(crate) async fn validation(State(service): State<Service>, _: NoQuery) -> Re
 pub(crate) async fn validation_set(
     State(service): State<Service>,
     AskedFormat(format): AskedFormat,
-    Path(id): Path<String>,
+    Name(id): Name,
 ) -> Result<Response, Problem> {
     let work = move |_: &Pace| {
         let set = sets().iter().find(|set| set.id == id).ok_or_else(|| unknown("validation set", &id, &validation::ids()))?;

@@ -13,17 +13,21 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_terramechanics");
 pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
 
 pub(crate) struct Server {
-    child: Child,
-    address: SocketAddr,
+    pub(crate) child: Child,
+    pub(crate) address: SocketAddr,
 }
 
 impl Server {
     pub(crate) fn start(settings: &[&str]) -> Self {
+        Self::logging_to(Stdio::null(), settings)
+    }
+
+    pub(crate) fn logging_to(log: Stdio, settings: &[&str]) -> Self {
         let mut child = Command::new(PROGRAM)
             .args(["--listen", "127.0.0.1:0"])
             .args(settings)
             .stdout(Stdio::piped())
-            .stderr(Stdio::null())
+            .stderr(log)
             .spawn()
             .expect("the program starts");
         let mut line = String::new();
@@ -46,13 +50,13 @@ impl Server {
         answer
     }
 
-    fn signal(&self, name: &str) {
+    pub(crate) fn signal(&self, name: &str) {
         let id = self.child.id().to_string();
         // The shell has `kill` built in; the program of that name is missing from small systems.
         assert!(Command::new("sh").args(["-c", "kill \"$0\" \"$1\"", name, &id]).status().expect("a shell").success());
     }
 
-    fn exit_code(&mut self) -> Option<i32> {
+    pub(crate) fn exit_code(&mut self) -> Option<i32> {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
             if let Some(status) = self.child.try_wait().expect("a status") {
