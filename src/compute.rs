@@ -63,21 +63,23 @@ impl Cost {
         Self::of_points(operation, 100)
     }
 
-    /// Of an identification: a line through the samples, or a search that may spend its evaluations.
+    /// Of an identification: a line through the samples, or a search that may spend its evaluations. However few the data, how
+    /// long a fit takes is theirs to say, so that none runs at once.
     pub(crate) fn of_identification(query: &IdentifyQuery) -> Self {
-        match query {
+        let cost = match query {
             IdentifyQuery::Linear(query) => {
                 // With a law, the quadrature a few times for each sample.
                 let each = if query.law_known { 100_000.0 } else { 2_000.0 };
                 Self(query.observations.slip.len() as f64 * each)
             }
             IdentifyQuery::Fit(query) => Self(query.options.evaluations as f64 * 200.0),
-        }
+        };
+        Self(cost.0 + Self::LONGEST_AT_ONCE.0)
     }
 
-    /// Of fitting curves with `points` points in all: a shear modulus is tried a few hundred times.
+    /// Of fitting curves with `points` points in all: a shear modulus is tried a few thousand times. Never run at once, either.
     pub(crate) fn of_curves(points: usize) -> Self {
-        Self(points as f64 * 10_000.0)
+        Self(points as f64 * 100_000.0 + Self::LONGEST_AT_ONCE.0)
     }
 
     /// Of writing the contract, with the answer to each of its examples.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics_identification::{Estimate, fit_plates, fit_shear_curves};
+use terramechanics_identification::{Estimate, fit_plates_while, fit_shear_curves_while};
 use utoipa::ToSchema;
 
 use super::identify::{EstimateReply, implausible, words};
@@ -118,7 +118,7 @@ impl TryFrom<&PlatesQuery> for PlatesReply {
     type Error = FieldFault;
 
     fn try_from(PlatesQuery { curves, left_out }: &PlatesQuery) -> Result<Self, FieldFault> {
-        let found = fit_plates(curves).map_err(plates_fault)?;
+        let found = fit_plates_while(curves, &|| true).map_err(plates_fault)?;
         let [k_c, k_phi, n0] = found.estimates.each_ref().map(|estimate| estimate.value);
         let mut warnings = open(&found.estimates);
         warnings.extend(implausible(&found.estimates, n0));
@@ -178,7 +178,7 @@ impl TryFrom<&ShearTestsQuery> for ShearReply {
     type Error = FieldFault;
 
     fn try_from(ShearTestsQuery(curves): &ShearTestsQuery) -> Result<Self, FieldFault> {
-        let found = fit_shear_curves(curves).map_err(shear_fault)?;
+        let found = fit_shear_curves_while(curves, &|| true).map_err(shear_fault)?;
         let mut columns = ShearColumns::default();
         for (curve, predicted) in curves.iter().zip(&found.predicted) {
             columns.normal_stress_pa.0.extend(std::iter::repeat_n(curve.normal, curve.shear.len()));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Unknown, fit_line};
+use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Unknown, fit_line_while};
 
 use super::columns::IdentifyColumns;
 use super::words::{self, number};
@@ -22,12 +22,12 @@ impl IdentifyReply {
             }
             other => fit_fault(&other, &setup.sinkage),
         };
-        let Some(found) = fit_line(setup, observations).map_err(fault)? else {
+        let Some(found) = fit_line_while(setup, observations, &|| true).map_err(fault)? else {
             let detail = "the normal stress under the wheel is the same in all samples: two different loads, sinkages or slips at \
                           least are needed to tell cohesion from friction";
             return Err(FieldFault { pointer: "/data".to_owned(), detail: detail.to_owned() });
         };
-        let bias = if *law_known { found.model_bias() } else { None };
+        let bias = if *law_known { found.model_bias_while(&|| true).map_err(fault)? } else { None };
         let estimates = found
             .estimates
             .iter()

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
-use terramechanics_identification::{Bound, Estimate, Fit, FitOptions, fit};
+use terramechanics_identification::{Bound, Estimate, Fit, FitOptions, fit_while};
 use utoipa::ToSchema;
 
 use self::columns::IdentifyColumns;
@@ -102,7 +102,8 @@ impl IdentifyReply {
     fn of_fit(query: &FitQuery, until: Instant) -> Result<Self, Vec<FieldFault>> {
         let FitQuery { setup, observations, sought, options, .. } = query;
         let options = FitOptions { until: Some(until), ..*options };
-        let found = fit(setup, observations, sought, &options).map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
+        let found = fit_while(setup, observations, sought, &options, &|| true)
+            .map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
         let direction = |direction: &Vec<_>| direction.iter().map(|&(unknown, share)| (name_of(unknown), share)).collect();
         Ok(Self {
             estimator: "nonlinear",
