@@ -129,7 +129,8 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
         },
         "bounds": {"shear_modulus_m": [0.001, 0.05]}
     });
-    let identify_reply = answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::of(query, Duration::from_secs(60)).ok());
+    let identify_reply =
+        answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::of(query, Duration::from_secs(60), &Pace::at_once()).ok());
     // Dry sand under two plates, every other point: Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, 3G12.
     let plates = json!({
         "plates": [
@@ -144,8 +145,8 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
             {"normal_stress_pa": 8000, "columns": {"displacement_m": [0.005, 0.01, 0.02, 0.04], "shear_stress_pa": [2090, 3350, 4580, 5200]}}
         ]
     });
-    let plates_reply = answer::<PlatesDto, _>(&plates, |query| PlatesReply::try_from(query).ok());
-    let shear_reply = answer::<ShearTestsDto, _>(&shear, |query| ShearReply::try_from(query).ok());
+    let plates_reply = answer::<PlatesDto, _>(&plates, |query| PlatesReply::of(query, &Pace::at_once()).ok());
+    let shear_reply = answer::<ShearTestsDto, _>(&shear, |query| ShearReply::of(query, &Pace::at_once()).ok());
     let compare_reply = answer::<CompareDto, _>(&compare, |query| CompareReply::of(query, &Pace::at_once()).ok());
     let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
     let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());

@@ -8,8 +8,8 @@ use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use crate::compute::Stop;
 use crate::coding;
+use crate::compute::Stop;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
 use crate::wire::FieldFault;

@@ -30,8 +30,8 @@ pub(crate) async fn identify(
 ) -> Result<Response, Problem> {
     let cost = Cost::of_identification(&query);
     let patience = service.limits().compute_deadline;
-    let work = move |_: &Pace| {
-        let reply = IdentifyReply::of(&query, patience).map_err(Problem::Invalid)?;
+    let work = move |pace: &Pace| {
+        let reply = IdentifyReply::of(&query, patience, pace).map_err(Problem::Invalid)?;
         written(&reply, format)
     };
     service.pool().run(cost, work).await
@@ -54,8 +54,8 @@ pub(crate) async fn plates(
     Input(query): Input<PlatesDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.curves.iter().map(|curve| curve.sinkage.len()).sum());
-    let work = move |_: &Pace| {
-        let reply = PlatesReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
+    let work = move |pace: &Pace| {
+        let reply = PlatesReply::of(&query, pace).map_err(|fault| Problem::Invalid(vec![fault]))?;
         written(&reply, format)
     };
     service.pool().run(cost, work).await
@@ -78,8 +78,8 @@ pub(crate) async fn shear(
     Input(query): Input<ShearTestsDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.0.iter().map(|curve| curve.shear.len()).sum());
-    let work = move |_: &Pace| {
-        let reply = ShearReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
+    let work = move |pace: &Pace| {
+        let reply = ShearReply::of(&query, pace).map_err(|fault| Problem::Invalid(vec![fault]))?;
         written(&reply, format)
     };
     service.pool().run(cost, work).await

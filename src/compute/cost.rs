@@ -118,9 +118,9 @@ impl Cost {
         }
     }
 
-    /// Of fitting curves with `points` points in all: a shear modulus is tried a few hundred times.
+    /// Of fitting curves with `points` points in all: a shear modulus is tried a few thousand times.
     pub(crate) fn of_curves(points: usize) -> Self {
-        Self::of_fit(points as f64 * 10e3)
+        Self::of_fit(points as f64 * 100e3)
     }
 
     /// A fit is never done on the thread of a connection: how long a search takes stands in no formula.

@@ -3,11 +3,12 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics_identification::{Estimate, fit_plates, fit_shear_curves};
+use terramechanics_identification::{Estimate, fit_plates_while, fit_shear_curves_while};
 use utoipa::ToSchema;
 
 use super::identify::{EstimateReply, implausible, words};
 use super::{Column, Reply, Warning};
+use crate::compute::Pace;
 use crate::request::{PlatesQuery, ShearTestsQuery, name_of, plates_fault, shear_fault};
 use crate::wire::FieldFault;
 
@@ -114,11 +115,13 @@ struct ShearColumns {
     residual_shear_stress_pa: Column,
 }
 
-impl TryFrom<&PlatesQuery> for PlatesReply {
-    type Error = FieldFault;
-
-    fn try_from(PlatesQuery { curves, left_out }: &PlatesQuery) -> Result<Self, FieldFault> {
-        let found = fit_plates(curves).map_err(plates_fault)?;
+impl PlatesReply {
+    /// The fit.
+    ///
+    /// # Errors
+    /// What the plates do not tell.
+    pub(crate) fn of(PlatesQuery { curves, left_out }: &PlatesQuery, pace: &Pace) -> Result<Self, FieldFault> {
+        let found = fit_plates_while(curves, &|| pace.goes_on()).map_err(plates_fault)?;
         let [k_c, k_phi, n0] = found.estimates.each_ref().map(|estimate| estimate.value);
         let mut warnings = open(&found.estimates);
         warnings.extend(implausible(&found.estimates, n0));
@@ -174,11 +177,13 @@ impl TryFrom<&PlatesQuery> for PlatesReply {
     }
 }
 
-impl TryFrom<&ShearTestsQuery> for ShearReply {
-    type Error = FieldFault;
-
-    fn try_from(ShearTestsQuery(curves): &ShearTestsQuery) -> Result<Self, FieldFault> {
-        let found = fit_shear_curves(curves).map_err(shear_fault)?;
+impl ShearReply {
+    /// The fit.
+    ///
+    /// # Errors
+    /// What the tests do not tell.
+    pub(crate) fn of(ShearTestsQuery(curves): &ShearTestsQuery, pace: &Pace) -> Result<Self, FieldFault> {
+        let found = fit_shear_curves_while(curves, &|| pace.goes_on()).map_err(shear_fault)?;
         let mut columns = ShearColumns::default();
         for (curve, predicted) in curves.iter().zip(&found.predicted) {
             columns.normal_stress_pa.0.extend(std::iter::repeat_n(curve.normal, curve.shear.len()));

@@ -139,8 +139,10 @@ impl Request for ShearTestsDto {
 /// What plate tests whose fields are each right do not tell.
 pub(crate) fn plates_fault(error: PlatesError) -> FieldFault {
     let pointer = match error {
-        PlatesError::Curve(plate) => format!("/plates/{plate}"),
-        PlatesError::Count | PlatesError::OneWidth | PlatesError::OneSinkage | PlatesError::NotFinite => "/plates".to_owned(),
+        PlatesError::Curve(plate) | PlatesError::Size(plate) => format!("/plates/{plate}"),
+        PlatesError::Count | PlatesError::OneWidth | PlatesError::OneSinkage | PlatesError::NotFinite | PlatesError::Stopped => {
+            "/plates".to_owned()
+        }
     };
     FieldFault { pointer, detail: error.to_string() }
 }
@@ -149,7 +151,13 @@ pub(crate) fn plates_fault(error: PlatesError) -> FieldFault {
 pub(crate) fn shear_fault(error: ShearError) -> FieldFault {
     let pointer = match error {
         ShearError::Curve(curve) => format!("/curves/{curve}"),
-        ShearError::Count | ShearError::OneStress | ShearError::NoShear => "/curves".to_owned(),
+        ShearError::Count
+        | ShearError::OneStress
+        | ShearError::NoShear
+        | ShearError::Displacements
+        | ShearError::Stresses
+        | ShearError::NotFinite
+        | ShearError::Stopped => "/curves".to_owned(),
     };
     FieldFault { pointer, detail: error.to_string() }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::observations::Quantity;
+use crate::range;
 use crate::unknown::Unknown;
 
 /// What keeps a fit from being tried.
@@ -32,7 +33,9 @@ pub enum FitError {
         /// The row.
         row: usize,
     },
-    /// A standard deviation that is not finite and positive.
+    /// A column whose largest value is too small or too large to be squared and summed; one of zeros alone is not.
+    Size(Quantity),
+    /// A standard deviation that is not positive, or too small or too large to be squared and summed.
     Deviation {
         /// The column.
         quantity: Quantity,
@@ -47,6 +50,8 @@ pub enum FitError {
     NothingMeasured,
     /// The evaluations or the time were spent before there was anything to report.
     OutOfBudget,
+    /// The caller did not want it to go on.
+    Stopped,
     /// The model has no answer for the data, neither at the start nor at any other start that was tried.
     Refused {
         /// The row at fault.
@@ -67,8 +72,9 @@ impl fmt::Display for FitError {
             Self::Samples { count } => write!(f, "there are {count} samples"),
             Self::Length(quantity) => write!(f, "the column of {quantity} must be as long as that of the slip"),
             Self::Value { quantity, row } => write!(f, "the {quantity} of sample {row} cannot be used"),
+            Self::Size(quantity) => write!(f, "the largest size of the {quantity} {}", range::WORDS),
             Self::Deviation { quantity, row } => {
-                write!(f, "the standard deviation of the {quantity} of sample {row} must be finite and greater than 0")
+                write!(f, "the standard deviation of the {quantity} of sample {row} {}", range::WORDS)
             }
             Self::DeviationMissing(quantity) => {
                 write!(f, "the {quantity} has no standard deviation, and another fitted column has one")
@@ -78,6 +84,7 @@ impl fmt::Display for FitError {
             Self::OutOfBudget => {
                 write!(f, "the evaluations or the time were spent before there was anything to report: send fewer samples")
             }
+            Self::Stopped => write!(f, "the fit was told to stop"),
             Self::Refused { row, error } => write!(f, "at no start does the model answer every sample; sample {row}: {error}"),
         }
     }

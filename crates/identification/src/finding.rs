@@ -3,6 +3,7 @@
 use crate::design::DesignGap;
 use crate::problem::{Problem, Sought};
 use crate::profile::Flanks;
+use crate::range::{finite, finite_ends};
 use crate::search::Found;
 use crate::uncertainty::Uncertainty;
 use crate::unknown::Unknown;
@@ -56,9 +57,10 @@ pub struct Estimate {
     pub unknown: Unknown,
     /// Its value.
     pub value: f64,
-    /// Standard error; none where the data leave it open. At a bound it is what would hold without the bound.
+    /// Standard error; none where the data leave it open or it leaves the range of numbers. At a bound it is what would hold without the bound.
     pub standard_error: Option<f64>,
-    /// Interval of 95 %, not cut at the bounds; where the data bound it from one side alone, the other end is the bound.
+    /// Interval of 95 %, not cut at the bounds; where the data bound it from one side alone, the other end is the bound. None
+    /// where an end leaves the range of numbers.
     pub interval: Option<[f64; 2]>,
     /// The bound at which it lies.
     pub at_bound: Option<Bound>,
@@ -96,8 +98,8 @@ impl Judgement<'_> {
         let mut estimate = Estimate {
             unknown,
             value,
-            standard_error: of(|known| &known.standard_error).map(|error| error * slope),
-            interval: half_width.map(|half| [centre - half, centre + half].map(|end| scale.outward(end))),
+            standard_error: of(|known| &known.standard_error).and_then(|error| finite(error * slope)),
+            interval: half_width.and_then(|half| finite_ends([centre - half, centre + half].map(|end| scale.outward(end)))),
             at_bound,
             identifiability: self.identifiability(i, half_width, at_bound),
         };
@@ -107,7 +109,7 @@ impl Judgement<'_> {
             let valley = FitValley { problem: self.problem, best: self.best, uncertainty, useful: self.useful };
             match Flanks::of(&valley, i, half) {
                 Ok(flanks) => {
-                    estimate.interval = Some(flanks.ends(centre).map(|end| scale.outward(end)));
+                    estimate.interval = finite_ends(flanks.ends(centre).map(|end| scale.outward(end)));
                     estimate.identifiability = flanks.finding();
                 }
                 // What was not looked at for lack of time is not called determined.

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use terramechanics::Error;
 
+use crate::consent::Consent;
 use crate::design::DesignGap;
 use crate::error::FitError;
 use crate::finding::Estimate;
@@ -128,8 +129,35 @@ const SAME_COST: f64 = 1e-6;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fit(setup: &Setup, observations: &Observations, sought: &[Sought], options: &FitOptions) -> Result<Fit, FitError> {
+    fit_while(setup, observations, sought, options, &|| true)
+}
+
+/// The same, as long as the caller wants to go on. It is asked about every millisecond of work, at each evaluation at the latest;
+/// only the search's own decomposition of the derivatives, which for ten thousand samples takes some ten, is not interrupted.
+///
+/// # Errors
+/// [`FitError::Stopped`] at the first no, and those of [`fit()`].
+pub fn fit_while(
+    setup: &Setup,
+    observations: &Observations,
+    sought: &[Sought],
+    options: &FitOptions,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Fit, FitError> {
+    let consent = Consent::new(go_on);
+    let found = found(setup, observations, sought, options, &consent);
+    if consent.is_withdrawn() { Err(FitError::Stopped) } else { found }
+}
+
+fn found(
+    setup: &Setup,
+    observations: &Observations,
+    sought: &[Sought],
+    options: &FitOptions,
+    consent: &Consent<'_>,
+) -> Result<Fit, FitError> {
     let began = Instant::now();
-    let mut problem = Problem::new(*setup, observations, sought, options)?;
+    let mut problem = Problem::new(*setup, observations, sought, options, consent)?;
     let (mut best, mut others) = search(&problem, options.starts.clamp(1, MOST_STARTS))?;
     if options.loss != Loss::LeastSquares {
         problem.loss = options.loss;
@@ -191,8 +219,7 @@ fn search(problem: &Problem<'_>, starts: u32) -> Result<(Found, Vec<Found>), Fit
 
 /// Weights every column by the median size of its residuals: 1.4826 times it is the standard deviation of normal noise.
 fn rescale(problem: &mut Problem<'_>, values: &[f64]) {
-    let Ok(predictions) = problem.predictions(values) else { return };
-    let residuals = problem.weighted(&predictions);
+    let Ok(residuals) = problem.predictions(values).and_then(|predictions| problem.weighted(&predictions)) else { return };
     let samples = problem.samples();
     for column in 0..problem.fitted.len() {
         let rows = column * samples..(column + 1) * samples;

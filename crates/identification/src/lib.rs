@@ -8,8 +8,13 @@
 //!
 //! [`fit_plates`] and [`fit_shear_curves`] find Bekker's parameters and the strength from plate tests and shear tests.
 //!
+//! Each of them ends for any finite input, with finite numbers or a typed error. Each has a form that asks its caller, about
+//! every millisecond of work, whether to go on: [`fit_while`], [`fit_line_while`], [`fit_plates_while`] and
+//! [`fit_shear_curves_while`]. The first no ends the fit at once.
+//!
 //! SI units and radians throughout, slip as in the model.
 
+mod consent;
 mod derivatives;
 mod design;
 mod error;
@@ -22,6 +27,7 @@ mod observations;
 mod plates;
 mod problem;
 mod profile;
+mod range;
 mod report;
 mod search;
 mod setup;
@@ -34,18 +40,18 @@ mod valley;
 pub use design::DesignGap;
 pub use error::FitError;
 pub use finding::{Bound, Estimate, Identifiability};
-pub use fit::{Fit, FitOptions, MOST_STARTS, fit};
+pub use fit::{Fit, FitOptions, MOST_STARTS, fit, fit_while};
 pub use fitted_column::FittedColumn;
 pub use linear::{
     LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint, fit_line,
-    linear_strength,
+    fit_line_while, linear_strength,
 };
 pub use loss::Loss;
 pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};
-pub use plates::{FittedPlate, MOST_PLATES, PlateCurve, PlatesError, PlatesFit, fit_plates};
+pub use plates::{FittedPlate, MOST_PLATES, PlateCurve, PlatesError, PlatesFit, fit_plates, fit_plates_while};
 pub use problem::Sought;
 pub use search::StopReason;
 pub use setup::{Setup, SinkageSource};
-pub use shear_curves::{MOST_CURVES, ShearCurve, ShearError, ShearFit, fit_shear_curves};
+pub use shear_curves::{MOST_CURVES, ShearCurve, ShearError, ShearFit, fit_shear_curves, fit_shear_curves_while};
 pub use student::quantile_95;
 pub use unknown::{Range, Unknown};

@@ -66,6 +66,9 @@ impl Loss {
             Self::SoftL1 => u.hypot(1.0).powi(-3),
             Self::Cauchy => {
                 let share = (u / CAUCHY).powi(2);
+                if share.is_infinite() {
+                    return 0.0; // the limit
+                }
                 (1.0 - share) / (1.0 + share).powi(2)
             }
         }

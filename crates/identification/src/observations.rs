@@ -5,6 +5,7 @@ use std::fmt;
 use terramechanics::Slip;
 
 use crate::error::FitError;
+use crate::range;
 use crate::setup::{Prediction, SinkageSource};
 
 /// Samples that one fit takes at most.
@@ -131,7 +132,11 @@ impl Observations {
             if let Some(row) = column.values.iter().position(|&value| !usable(value)) {
                 return Err(FitError::Value { quantity, row });
             }
-            let improper = |deviation: &Vec<f64>| deviation.iter().position(|&value| !(value.is_finite() && value > 0.0));
+            let size = range::largest(column.values.iter().copied());
+            if size > 0.0 && !range::is_usable(size) {
+                return Err(FitError::Size(quantity));
+            }
+            let improper = |deviation: &Vec<f64>| deviation.iter().position(|&value| !range::is_usable(value));
             if let Some(row) = column.deviation.as_ref().and_then(improper) {
                 return Err(FitError::Deviation { quantity, row });
             }

@@ -16,7 +16,10 @@ use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::consent::{Consent, Stopped};
 use crate::finding::{Estimate, Identifiability};
+use crate::observations::MOST_SAMPLES;
+use crate::range::{self, finite, finite_ends};
 use crate::student::quantile_95;
 use crate::unknown::{SLIGHT, Unknown};
 
@@ -75,14 +78,26 @@ pub struct PlatesFit {
 pub enum PlatesError {
     /// Fewer than two plates, or more than are taken.
     Count,
-    /// A curve without points or pressure, with columns of different length or a value that cannot be.
+    /// A curve without points or pressure or with more than [`MOST_SAMPLES`] points, with columns of different length or a value
+    /// that cannot be.
     Curve(usize),
+    /// A plate whose width or largest pressure is too small or too large to be squared and summed, or whose largest pressure is
+    /// nothing beside that of another plate.
+    Size(usize),
     /// All plates have one width, so that k_c/b and k_φ are one number.
     OneWidth,
     /// No curve has two different sinkages, so that there is no exponent.
     OneSinkage,
-    /// Numbers overflow.
+    /// A result leaves the range of numbers.
     NotFinite,
+    /// The caller did not want the fit to go on.
+    Stopped,
+}
+
+impl From<Stopped> for PlatesError {
+    fn from(_: Stopped) -> Self {
+        Self::Stopped
+    }
 }
 
 impl fmt::Display for PlatesError {
@@ -93,11 +108,17 @@ impl fmt::Display for PlatesError {
                 f,
                 "the curve of plate {plate} must have points of positive sinkage with pressures that are not negative and not all 0"
             ),
+            Self::Size(plate) => write!(
+                f,
+                "the width and the largest pressure of plate {plate}, and its share of the largest of all, {}",
+                range::WORDS
+            ),
             Self::OneWidth => {
                 write!(f, "all plates have one width: k_c/b and k_φ are one number then, two widths tell them apart")
             }
             Self::OneSinkage => write!(f, "no curve has two different sinkages: there is no exponent to be seen"),
             Self::NotFinite => write!(f, "the values are too large or too small together"),
+            Self::Stopped => write!(f, "the fit was told to stop"),
         }
     }
 }
@@ -109,12 +130,21 @@ impl std::error::Error for PlatesError {}
 /// # Errors
 /// [`PlatesError`].
 pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
+    fit_plates_while(curves, &|| true)
+}
+
+/// The same, as long as the caller wants to go on; it is asked before a curve is gone through, some hundred times for each.
+///
+/// # Errors
+/// [`PlatesError::Stopped`] at the first no, and those of [`fit_plates`].
+pub fn fit_plates_while(curves: &[PlateCurve], go_on: &dyn Fn() -> bool) -> Result<PlatesFit, PlatesError> {
     check(curves)?;
-    let fitted = Curves::of(curves);
+    let consent = Consent::new(go_on);
+    let fitted = Curves::of(curves, &consent)?;
     if !fitted.has_spread() {
         return Err(PlatesError::OneSinkage);
     }
-    let fitted = fitted.refined();
+    let fitted = fitted.refined()?;
     let (exponent, moduli) = (fitted.exponent, fitted.moduli());
 
     // The line k_i = k_c/b_i + k_φ through the moduli, as rows that give k_c and k_φ from them.
@@ -146,7 +176,7 @@ pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
         2 if i == curves.len() => 1.0,
         _ => 0.0,
     });
-    let covariance = &slopes * fitted.covariance() * slopes.transpose();
+    let covariance = &slopes * fitted.covariance()? * slopes.transpose();
 
     let squares: f64 = curves
         .iter()
@@ -161,7 +191,9 @@ pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
     let values = [k_c, k_phi, exponent];
     let fit = PlatesFit {
         estimates: std::array::from_fn(|i| {
-            let error = (degrees_of_freedom >= 1.0).then(|| covariance[(i, i)].max(0.0).sqrt());
+            // A variance that left the range of numbers is no variance of 0.
+            let variance = finite(covariance[(i, i)]).filter(|_| degrees_of_freedom >= 1.0);
+            let error = variance.map(|variance| variance.max(0.0).sqrt());
             stated(unknowns[i], values[i], error, degrees_of_freedom, useful[i])
         }),
         plates,
@@ -175,8 +207,8 @@ pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
         rmse: (squares / points).sqrt(),
         degrees_of_freedom,
     };
-    let numbers = values.into_iter().chain([fit.rmse]).chain(fit.plates.iter().flat_map(|plate| plate.predicted.iter().copied()));
-    if numbers.into_iter().all(f64::is_finite) { Ok(fit) } else { Err(PlatesError::NotFinite) }
+    let of_plates = fit.plates.iter().flat_map(|plate| plate.predicted.iter().copied().chain([plate.modulus]));
+    if values.into_iter().chain([fit.rmse]).chain(of_plates).all(f64::is_finite) { Ok(fit) } else { Err(PlatesError::NotFinite) }
 }
 
 impl PlatesFit {
@@ -204,10 +236,10 @@ impl PlatesFit {
 
 /// An estimate with its interval, and whether that is narrow enough to be of use.
 fn stated(unknown: Unknown, value: f64, error: Option<f64>, degrees_of_freedom: f64, useful: f64) -> Estimate {
-    let half = error.map(|error| error * quantile_95(degrees_of_freedom));
+    let half = error.and_then(|error| finite(error * quantile_95(degrees_of_freedom)));
     let is_determined = half.is_some_and(|half| half <= useful);
     let identifiability = if is_determined { Identifiability::Determined } else { Identifiability::Uncertain };
-    let interval = half.map(|half| [value - half, value + half]);
+    let interval = half.and_then(|half| finite_ends([value - half, value + half]));
     Estimate { unknown, value, standard_error: error, interval, at_bound: None, identifiability }
 }
 
@@ -218,7 +250,7 @@ fn check(curves: &[PlateCurve]) -> Result<(), PlatesError> {
     let positive = |value: &f64| value.is_finite() && *value > 0.0;
     let is_sound = |curve: &PlateCurve| {
         positive(&curve.width)
-            && !curve.sinkage.is_empty()
+            && (1..=MOST_SAMPLES).contains(&curve.sinkage.len())
             && curve.sinkage.len() == curve.pressure.len()
             && curve.sinkage.iter().all(positive)
             && curve.pressure.iter().all(|value| value.is_finite() && *value >= 0.0)
@@ -226,6 +258,15 @@ fn check(curves: &[PlateCurve]) -> Result<(), PlatesError> {
     };
     if let Some(plate) = curves.iter().position(|curve| !is_sound(curve)) {
         return Err(PlatesError::Curve(plate));
+    }
+    let pressure = |curve: &PlateCurve| range::largest(curve.pressure.iter().copied());
+    let largest = range::largest(curves.iter().map(pressure));
+    let is_usable = |curve: &PlateCurve| {
+        let pressure = pressure(curve);
+        [curve.width, pressure, pressure / largest].into_iter().all(range::is_usable)
+    };
+    if let Some(plate) = curves.iter().position(|curve| !is_usable(curve)) {
+        return Err(PlatesError::Size(plate));
     }
     let widths = || curves.iter().map(|curve| curve.width);
     let (narrow, wide) = (widths().fold(f64::INFINITY, f64::min), widths().fold(0.0, f64::max));

@@ -4,12 +4,14 @@ use std::cell::Cell;
 use std::time::Instant;
 
 use nalgebra::DVector;
-use terramechanics::{Error, InvalidInput, Sinkage, Slip};
+use terramechanics::{Error, InvalidInput, Method, Sinkage, Slip};
 
+use crate::consent::Consent;
 use crate::error::FitError;
 use crate::fit::FitOptions;
 use crate::loss::Loss;
 use crate::observations::{Observations, Quantity};
+use crate::range::LARGEST;
 use crate::setup::{Prediction, Setup, SinkageSource};
 use crate::unknown::{Range, Scale, Unknown};
 
@@ -40,7 +42,8 @@ const SOLVE: u64 = 8;
 /// Sets of predictions that a look beside one estimate may take: both sides, refits with their derivatives.
 const LOOKS: u64 = 600;
 
-/// Rows between two looks at the clock: at a microsecond to ten a row it is looked at every millisecond.
+/// Rows by a closed form between two looks at the clock and questions to the caller: with a load to be balanced they take half a
+/// millisecond. An integral may take as long by itself, so that there each row looks.
 const ROWS_PER_LOOK: usize = 128;
 
 /// Why a point of the search has no residuals.
@@ -50,7 +53,7 @@ pub(crate) enum Obstacle {
     Row { row: usize, error: Error },
     /// The values make no soil or no contact.
     Values,
-    /// The evaluations are spent.
+    /// The evaluations or the time are spent, or the caller does not want to go on.
     Budget,
 }
 
@@ -75,6 +78,7 @@ pub(crate) struct Problem<'a> {
     budget: Cell<u64>,
     /// When the fit ends at the latest.
     until: Option<Instant>,
+    pub(crate) consent: &'a Consent<'a>,
     spent: Cell<u64>,
 }
 
@@ -84,6 +88,7 @@ impl<'a> Problem<'a> {
         observations: &'a Observations,
         sought: &[Sought],
         options: &FitOptions,
+        consent: &'a Consent<'a>,
     ) -> Result<Self, FitError> {
         if sought.is_empty() {
             return Err(FitError::NothingToFit);
@@ -108,7 +113,7 @@ impl<'a> Problem<'a> {
         let scales = sought.iter().map(|one| one.unknown.scale(&one.bounds, one.start)).collect();
         let (budget, until, spent) = (Cell::new(options.evaluations), options.until, Cell::new(0));
         let loss = Loss::LeastSquares;
-        Ok(Self { setup, observations, sought: sought.to_vec(), scales, fitted, weights, loss, budget, until, spent })
+        Ok(Self { setup, observations, sought: sought.to_vec(), scales, fitted, weights, loss, budget, until, consent, spent })
     }
 
     /// The same problem with evaluations enough for one set of predictions and of derivatives and a look beside every estimate,
@@ -145,6 +150,7 @@ impl<'a> Problem<'a> {
             loss: self.loss,
             budget: self.budget.clone(),
             until: self.until,
+            consent: self.consent,
             spent: self.spent.clone(),
         }
     }
@@ -192,12 +198,19 @@ impl<'a> Problem<'a> {
         Ok(())
     }
 
-    /// What `of` says of every row, until the time is over.
+    /// What `of` says of every row, until the time is over or the caller wants no more.
     pub(crate) fn by_row(&self, of: impl Fn(usize, Slip) -> Result<Prediction, Error>) -> Result<Vec<Prediction>, Obstacle> {
+        let rows_per_look = match self.setup.model.method {
+            Method::Quadrature | Method::SideSlipping(_) => 1,
+            Method::Linearised { .. } | Method::Explicit { .. } => ROWS_PER_LOOK,
+        };
         let mut rows = Vec::with_capacity(self.samples());
         for (row, &slip) in self.observations.slip.iter().enumerate() {
-            if row % ROWS_PER_LOOK == 0 && self.until.is_some_and(|until| Instant::now() >= until) {
-                return Err(Obstacle::Budget);
+            if row % rows_per_look == 0 {
+                self.consent.ask()?;
+                if self.until.is_some_and(|until| Instant::now() >= until) {
+                    return Err(Obstacle::Budget);
+                }
             }
             rows.push(of(row, slip).map_err(|error| Obstacle::Row { row, error })?);
         }
@@ -230,22 +243,27 @@ impl<'a> Problem<'a> {
 
     /// The sum of the losses.
     pub(crate) fn cost_at(&self, values: &[f64]) -> Result<f64, Obstacle> {
-        let residuals = self.weighted(&self.predictions(values)?);
+        let residuals = self.weighted(&self.predictions(values)?)?;
         Ok(residuals.iter().map(|&residual| self.loss.of(residual)).sum())
     }
 
-    /// Predicted minus measured over the scale of the column, before the loss.
-    pub(crate) fn weighted(&self, predictions: &[Prediction]) -> DVector<f64> {
+    /// Predicted minus measured over the scale of the column, before the loss; an obstacle where the model is so far off that the
+    /// squares could not be summed.
+    pub(crate) fn weighted(&self, predictions: &[Prediction]) -> Result<DVector<f64>, Obstacle> {
         let mut residuals = DVector::zeros(self.rows());
         let mut place = 0;
         for &quantity in &self.fitted {
             let measured = self.observations.column(quantity).map_or(&[][..], |column| &column.values);
-            for (prediction, measured) in predictions.iter().zip(measured) {
-                residuals[place] = (quantity.of(prediction) - measured) * self.weights[place];
+            for (row, (prediction, measured)) in predictions.iter().zip(measured).enumerate() {
+                let residual = (quantity.of(prediction) - measured) * self.weights[place];
+                if !(residual.abs() <= LARGEST) {
+                    return Err(Obstacle::Row { row, error: Error::NotFinite });
+                }
+                residuals[place] = residual;
                 place += 1;
             }
         }
-        residuals
+        Ok(residuals)
     }
 }
 

@@ -17,12 +17,13 @@ use crate::unknown::Unknown;
 /// The account of the minimum `best`, beside `others` that are as good. The problem has a budget of its own for it.
 pub(crate) fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, FitError> {
     let mut stop = best.stop;
-    let predictions = problem.predictions(&best.values).map_err(|obstacle| match obstacle {
+    let refused = |obstacle| match obstacle {
         Obstacle::Row { row, error } => FitError::Refused { row, error },
         Obstacle::Values => FitError::Refused { row: 0, error: Error::NotFinite },
         Obstacle::Budget => FitError::OutOfBudget,
-    })?;
-    let residuals = problem.weighted(&predictions);
+    };
+    let predictions = problem.predictions(&best.values).map_err(refused)?;
+    let residuals = problem.weighted(&predictions).map_err(refused)?;
     let all: Vec<usize> = (0..problem.sought.len()).collect();
     let setup = problem.setup_at(&best.values);
     let useful: Vec<f64> = problem
@@ -34,15 +35,19 @@ pub(crate) fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> R
             one.unknown.useful_width(value, &setup) / problem.scales[i].slope(value).abs().max(f64::MIN_POSITIVE)
         })
         .collect();
-    let uncertainty = match problem.jacobian(&best.values, &predictions, &all) {
-        Ok(jacobian) => Some(Uncertainty::of(&Evidence {
+    let known = problem.jacobian(&best.values, &predictions, &all).and_then(|jacobian| {
+        let evidence = Evidence {
             jacobian: &jacobian,
             residuals: &residuals,
             measured: problem.measured_count(),
             scatter: if problem.has_deviations() { Scatter::Common } else { Scatter::ByRow },
             useful: &useful,
             loss: problem.loss,
-        })),
+        };
+        Uncertainty::of(&evidence, problem.consent)
+    });
+    let uncertainty = match known {
+        Ok(known) => Some(known),
         Err(obstacle) => {
             stop = if obstacle == Obstacle::Budget { StopReason::Budget } else { StopReason::ModelRefuses };
             None

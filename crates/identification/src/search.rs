@@ -11,6 +11,7 @@ use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationRe
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
 use crate::problem::{Obstacle, Problem};
+use crate::range::LARGEST;
 
 /// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,9 +53,6 @@ pub(crate) struct Found {
 
 /// Rounds of the active set.
 const ROUNDS: u32 = 12;
-
-/// Residual that stands for a point where the model has no answer: so large that the step is taken back, far from overflow.
-const REFUSED: f64 = 1e100;
 
 /// Relative decrease and relative step at which a search ends.
 const TOLERANCE: f64 = 1e-14;
@@ -144,7 +142,7 @@ fn free_unknowns(problem: &Problem<'_>, values: &[f64]) -> Result<Vec<usize>, Ob
         return Ok(all);
     }
     let base = problem.predictions(values)?;
-    let residuals = problem.weighted(&base);
+    let residuals = problem.weighted(&base)?;
     let jacobian = problem.jacobian(values, &base, &all)?;
     let influence = residuals.map(|residual| problem.loss.influence(residual));
     let scale = influence.norm();
@@ -241,11 +239,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Adapter<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        match self.problem.predictions(&self.current()) {
-            Ok(predictions) => {
-                let loss = self.problem.loss;
-                Some(self.problem.weighted(&predictions).map(|residual| loss.transformed(residual).value))
-            }
+        let predictions = self.problem.predictions(&self.current());
+        match predictions.and_then(|predictions| self.problem.weighted(&predictions)) {
+            Ok(residuals) => Some(residuals.map(|residual| self.problem.loss.transformed(residual).value)),
             Err(Obstacle::Budget) => {
                 self.obstacle.set(Some(Obstacle::Budget));
                 None
@@ -253,7 +249,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Adapter<'_> {
             Err(Obstacle::Row { .. } | Obstacle::Values) => {
                 self.refused.set(true);
                 let rows = self.problem.measured_count().max(self.problem.sought.len());
-                Some(DVector::from_element(rows, REFUSED))
+                Some(DVector::from_element(rows, LARGEST)) // so far off that the step is taken back
             }
         }
     }
@@ -263,7 +259,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Adapter<'_> {
         self.refused.set(false);
         let values = self.current();
         let derivatives = self.problem.predictions(&values).and_then(|base| {
-            let residuals = self.problem.weighted(&base);
+            let residuals = self.problem.weighted(&base)?;
             let mut jacobian = self.problem.jacobian(&values, &base, self.free)?;
             for (row, &residual) in residuals.iter().enumerate() {
                 let slope = self.problem.loss.transformed(residual).slope;

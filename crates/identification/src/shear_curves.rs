@@ -3,21 +3,26 @@
 //! All curves are fitted at once by τ = (c + σ tan φ)(1 − e^(−j/K)) (Janosi & Hanamoto 1961). For a given K that is linear in c
 //! and tan φ, so only K is searched: over six decades about the range of the displacements, then by golden section. No start is
 //! needed and no local minimum missed that is wider than the scan. Derivatives for the errors are by hand, and the sum of squares
-//! itself is asked whether the data bound an estimate on both sides. Cohesion and friction are held at or above 0. A curve with a hump cannot be told from this law by its parameters: see the residuals.
+//! itself is asked whether the data bound an estimate on both sides. Cohesion and friction are held at or above 0. A curve with a
+//! hump cannot be told from this law by its parameters: see the residuals.
 
 use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::consent::{Consent, Stopped};
 use crate::finding::{Bound, Estimate, Identifiability};
 use crate::loss::Loss;
+use crate::observations::MOST_SAMPLES;
+use crate::problem::Obstacle;
 use crate::profile::Flanks;
+use crate::range::{self, finite, finite_ends};
 use crate::uncertainty::{Evidence, Scatter, Uncertainty};
 use crate::unknown::Unknown;
 
 mod points;
 
-use self::points::{Law, Points, ShearValley};
+use self::points::{Law, Point, Points, ShearValley, mobilised, mobilised_by_log_modulus};
 
 /// Curves that one fit takes at most.
 pub const MOST_CURVES: usize = 64;
@@ -56,12 +61,26 @@ pub struct ShearFit {
 pub enum ShearError {
     /// Fewer than two curves, or more than are taken.
     Count,
-    /// A curve without points, with columns of different length, or a value that cannot be.
+    /// A curve without points or with more than [`MOST_SAMPLES`], with columns of different length, or a value that cannot be.
     Curve(usize),
     /// All tests have one normal stress, so that c and σ tan φ are one number.
     OneStress,
     /// Nothing is displaced, or there is no strength at all.
     NoShear,
+    /// The largest displacement is too small or too large for its ratios to be told.
+    Displacements,
+    /// The largest stress is too small or too large to be squared and summed, or the normal stresses are nothing beside it.
+    Stresses,
+    /// A result leaves the range of numbers.
+    NotFinite,
+    /// The caller did not want the fit to go on.
+    Stopped,
+}
+
+impl From<Stopped> for ShearError {
+    fn from(_: Stopped) -> Self {
+        Self::Stopped
+    }
 }
 
 impl fmt::Display for ShearError {
@@ -78,6 +97,12 @@ impl fmt::Display for ShearError {
                 )
             }
             Self::NoShear => write!(f, "the curves show no strength: every displacement or every shear stress is 0"),
+            Self::Displacements => write!(f, "the largest displacement {}", range::WORDS),
+            Self::Stresses => {
+                write!(f, "the largest stress {}, as must the share of the largest normal stress in it", range::WORDS)
+            }
+            Self::NotFinite => write!(f, "the values are too large or too small together"),
+            Self::Stopped => write!(f, "the fit was told to stop"),
         }
     }
 }
@@ -89,75 +114,98 @@ impl std::error::Error for ShearError {}
 /// # Errors
 /// [`ShearError`].
 pub fn fit_shear_curves(curves: &[ShearCurve]) -> Result<ShearFit, ShearError> {
-    check(curves)?;
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |largest, value| largest.max(value.abs()));
-    let unit = largest(&mut curves.iter().flat_map(|curve| curve.shear.iter().copied().chain([curve.normal])));
-    let points = curves.iter().flat_map(|curve| {
-        let point = move |(&displacement, &shear): (&f64, &f64)| (curve.normal / unit, displacement, shear / unit);
-        curve.displacement.iter().zip(&curve.shear).map(point)
-    });
-    let points = Points { list: points.collect(), unit };
-    let has_shear = points.list.iter().any(|&(_, displacement, shear)| displacement > 0.0 && shear > 0.0);
-    if !has_shear {
-        return Err(ShearError::NoShear);
-    }
-    Ok(report(curves, &points, &points.best()))
+    fit_shear_curves_while(curves, &|| true)
 }
 
-fn report(curves: &[ShearCurve], points: &Points, law: &Law) -> ShearFit {
+/// The same, as long as the caller wants to go on; it is asked about every thousand points.
+///
+/// # Errors
+/// [`ShearError::Stopped`] at the first no, and those of [`fit_shear_curves`].
+pub fn fit_shear_curves_while(curves: &[ShearCurve], go_on: &dyn Fn() -> bool) -> Result<ShearFit, ShearError> {
+    check(curves)?;
+    let largest_normal = range::largest(curves.iter().map(|curve| curve.normal));
+    let unit = range::largest(curves.iter().flat_map(|curve| &curve.shear).copied()).max(largest_normal);
+    let farthest = range::largest(curves.iter().flat_map(|curve| &curve.displacement).copied());
+    if !range::is_usable(farthest) {
+        return Err(ShearError::Displacements);
+    }
+    if !(range::is_usable(unit) && range::is_usable(largest_normal / unit)) {
+        return Err(ShearError::Stresses);
+    }
+    let list = curves.iter().flat_map(|curve| {
+        let point =
+            move |(&displacement, &shear): (&f64, &f64)| Point { normal: curve.normal / unit, displacement, shear: shear / unit };
+        curve.displacement.iter().zip(&curve.shear).map(point)
+    });
+    let consent = Consent::new(go_on);
+    let points = Points { list: list.collect(), unit, farthest, consent: &consent };
+    if !points.list.iter().any(|point| point.displacement > 0.0 && point.shear > 0.0) {
+        return Err(ShearError::NoShear);
+    }
+    let fit = report(curves, &points, &points.best()?)?;
+    let values = fit.estimates.iter().map(|estimate| estimate.value).chain([fit.rmse]);
+    let predicted = fit.predicted.iter().flatten().copied();
+    if values.chain(predicted).all(f64::is_finite) { Ok(fit) } else { Err(ShearError::NotFinite) }
+}
+
+/// Residuals and their derivatives by c, tan φ and ln K, at least as many rows as these.
+fn evidence(points: &Points<'_>, law: &Law) -> Result<(DMatrix<f64>, DVector<f64>), Stopped> {
+    let rows = points.list.len().max(3);
+    let (mut jacobian, mut residuals) = (DMatrix::zeros(rows, 3), DVector::zeros(rows));
+    points.each(|i, &Point { normal, displacement, shear }| {
+        let share = mobilised(displacement, law.modulus);
+        jacobian[(i, 0)] = share;
+        jacobian[(i, 1)] = normal * share;
+        jacobian[(i, 2)] = law.strength(normal) * mobilised_by_log_modulus(displacement, law.modulus);
+        residuals[i] = law.shear(normal, displacement) - shear;
+    })?;
+    Ok((jacobian, residuals))
+}
+
+fn report(curves: &[ShearCurve], points: &Points<'_>, law: &Law) -> Result<ShearFit, ShearError> {
     let count = points.list.len();
-    let row = |i: usize| points.list[i];
-    let jacobian = DMatrix::from_fn(count.max(3), 3, |i, column| {
-        if i >= count {
-            return 0.0;
-        }
-        let (normal, displacement, _) = row(i);
-        let left = (-displacement / law.modulus).exp();
-        match column {
-            0 => 1.0 - left,
-            1 => normal * (1.0 - left),
-            _ => -(law.cohesion + normal * law.tan_friction) * left * displacement / law.modulus, // by ln K
-        }
-    });
-    let residuals = DVector::from_fn(count.max(3), |i, _| {
-        if i >= count {
-            return 0.0;
-        }
-        let (normal, displacement, shear) = row(i);
-        law.shear(normal, displacement) - shear
-    });
+    let (jacobian, residuals) = evidence(points, law)?;
     let cohesion = law.cohesion * points.unit;
-    let useful = [cohesion.max(500.0), 0.25, law.modulus];
-    let useful_scaled = [useful[0] / points.unit, useful[1], 1.0];
-    let known = Uncertainty::of(&Evidence {
-        jacobian: &jacobian,
-        residuals: &residuals,
-        measured: count,
-        scatter: Scatter::Either,
-        useful: &useful_scaled,
-        loss: Loss::LeastSquares,
-    });
-    let valley = ShearValley { points, law, uncertainty: &known, useful: useful_scaled };
+    let useful = [cohesion.max(500.0) / points.unit, 0.25, 1.0];
+    let known = Uncertainty::of(
+        &Evidence {
+            jacobian: &jacobian,
+            residuals: &residuals,
+            measured: count,
+            scatter: Scatter::Either,
+            useful: &useful,
+            loss: Loss::LeastSquares,
+        },
+        points.consent,
+    );
+    let known = match known {
+        Ok(known) => Some(known),
+        Err(Obstacle::Budget) => return Err(ShearError::Stopped),
+        Err(Obstacle::Row { .. } | Obstacle::Values) => None,
+    };
     let angle_per_tangent = 1.0 / (1.0 + law.tan_friction * law.tan_friction); // dφ/d tan φ
     let slopes = [points.unit, angle_per_tangent, law.modulus];
     let at_zero = [law.cohesion == 0.0, law.tan_friction == 0.0, false];
-    let estimates = std::array::from_fn(|i| {
+    let mut estimates = std::array::from_fn(|i| Estimate {
+        unknown: [Unknown::Cohesion, Unknown::FrictionAngle, Unknown::ShearModulus][i],
+        value: [cohesion, law.tan_friction.atan(), law.modulus][i],
+        standard_error: None,
+        interval: None,
+        at_bound: at_zero[i].then_some(Bound::Lower),
+        identifiability: Identifiability::Uncertain,
+    });
+    for (i, estimate) in estimates.iter_mut().enumerate() {
+        let Some(known) = &known else { break };
         let scaled = [law.cohesion, law.tan_friction, law.modulus.ln()][i];
         let outward = |scaled: f64| [scaled * points.unit, scaled.atan(), scaled.exp()][i];
-        let mut estimate = Estimate {
-            unknown: [Unknown::Cohesion, Unknown::FrictionAngle, Unknown::ShearModulus][i],
-            value: [cohesion, law.tan_friction.atan(), law.modulus][i],
-            standard_error: known.standard_error[i].map(|error| error * slopes[i]),
-            interval: known.half_width[i].map(|half| [outward(scaled - half), outward(scaled + half)]),
-            at_bound: at_zero[i].then_some(Bound::Lower),
-            identifiability: Identifiability::Uncertain,
-        };
+        estimate.standard_error = known.standard_error[i].and_then(|error| finite(error * slopes[i]));
+        estimate.interval = known.half_width[i].and_then(|half| finite_ends([outward(scaled - half), outward(scaled + half)]));
         if known.without_effect[i] {
             estimate.identifiability = Identifiability::WithoutEffect;
-        } else if let Some(half) = known.half_width[i].filter(|half| *half <= useful_scaled[i])
-            && let Ok(flanks) = Flanks::of(&valley, i, half)
-        {
-            estimate.interval = Some(flanks.ends(scaled).map(outward));
+        } else if let Some(half) = known.half_width[i].filter(|half| *half <= useful[i]) {
+            let valley = ShearValley { points, law, uncertainty: known, useful };
+            let flanks = Flanks::of(&valley, i, half).map_err(|_| ShearError::Stopped)?; // nothing else stands in its way
+            estimate.interval = finite_ends(flanks.ends(scaled).map(outward));
             estimate.identifiability = flanks.finding();
             if at_zero[i] && estimate.identifiability == Identifiability::Determined {
                 estimate.identifiability = Identifiability::AtBound;
@@ -166,12 +214,22 @@ fn report(curves: &[ShearCurve], points: &Points, law: &Law) -> ShearFit {
                 estimate.standard_error = None;
             }
         }
-        estimate
+    }
+    let whole = Law { cohesion, ..*law };
+    let predicted = curves.iter().map(|curve| {
+        points.consent.ask()?;
+        Ok(curve.displacement.iter().map(|&j| whole.shear(curve.normal, j)).collect())
     });
-    let law = Law { cohesion, ..*law };
-    let predicted = curves.iter().map(|curve| curve.displacement.iter().map(|&j| law.shear(curve.normal, j)).collect()).collect();
+    let predicted = predicted.collect::<Result<_, Stopped>>()?;
     let rmse = points.unit * (residuals.iter().map(|residual| residual * residual).sum::<f64>() / count as f64).sqrt();
-    ShearFit { estimates, predicted, correlation: known.correlation, rmse, degrees_of_freedom: known.degrees_of_freedom }
+    let unknown = || vec![vec![None; 3]; 3];
+    Ok(ShearFit {
+        estimates,
+        predicted,
+        correlation: known.as_ref().map_or_else(unknown, |known| known.correlation.clone()),
+        rmse,
+        degrees_of_freedom: known.as_ref().map_or(count as f64 - 3.0, |known| known.degrees_of_freedom),
+    })
 }
 
 fn check(curves: &[ShearCurve]) -> Result<(), ShearError> {
@@ -181,7 +239,7 @@ fn check(curves: &[ShearCurve]) -> Result<(), ShearError> {
     let is_sound = |curve: &ShearCurve| {
         curve.normal.is_finite()
             && curve.normal >= 0.0
-            && !curve.displacement.is_empty()
+            && (1..=MOST_SAMPLES).contains(&curve.displacement.len())
             && curve.displacement.len() == curve.shear.len()
             && curve.displacement.iter().all(|value| value.is_finite() && *value >= 0.0)
             && curve.shear.iter().all(|value| value.is_finite())

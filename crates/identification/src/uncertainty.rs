@@ -9,9 +9,12 @@
 //! of freedom are the measurements minus the directions that they determine. Under a robust loss ψ(u)/mean ψ' stands for the
 //! residual (Huber 1981).
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
+use crate::consent::{Consent, POINTS_PER_QUESTION, Stopped};
 use crate::loss::Loss;
+use crate::problem::Obstacle;
+use crate::range::{LARGEST, finite};
 use crate::student::quantile_95;
 
 /// Share of the largest singular value at which a direction counts as dead; the derivatives keep nine digits or more.
@@ -80,20 +83,32 @@ pub(crate) struct Evidence<'a> {
 /// Change of the weighted residuals, as a root mean square, that counts as none.
 const NO_EFFECT: f64 = 1e-9;
 
+/// Steps of the decomposition into singular values; each value takes two or three.
+const DECOMPOSITION_STEPS: usize = 500;
+
 impl Uncertainty {
-    pub(crate) fn of(evidence: &Evidence<'_>) -> Self {
+    /// # Errors
+    /// [`Obstacle::Values`] where a derivative or a residual leaves the range of numbers or their decomposition does not end;
+    /// [`Obstacle::Budget`] where the caller does not want to go on.
+    pub(crate) fn of(evidence: &Evidence<'_>, consent: &Consent<'_>) -> Result<Self, Obstacle> {
         let Evidence { jacobian, residuals, measured, scatter, useful, loss } = *evidence;
         let count = jacobian.ncols();
+        let is_usable = |value: &f64| value.abs() <= LARGEST;
+        if !(jacobian.iter().all(is_usable) && residuals.iter().all(is_usable)) {
+            return Err(Obstacle::Values);
+        }
         let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
-        let without_effect: Vec<bool> =
-            norms.iter().zip(useful).map(|(norm, width)| norm * width <= NO_EFFECT * (measured as f64).sqrt()).collect();
+        let without_effect: Vec<bool> = norms
+            .iter()
+            .zip(useful)
+            .map(|(&norm, width)| norm == 0.0 || norm * width <= NO_EFFECT * (measured as f64).sqrt())
+            .collect();
         let mut normalised = jacobian.clone();
         for (i, mut column) in normalised.column_iter_mut().enumerate() {
             if without_effect[i] { column.fill(0.0) } else { column.unscale_mut(norms[i]) }
         }
         // J = Q R and R = U S Vᵀ: the large factor is decomposed once, the iteration works on the small one.
-        let qr = normalised.clone().qr();
-        let svd = qr.r().svd(false, true);
+        let svd = singular_values(triangular_factor(&normalised, consent)?).ok_or(Obstacle::Values)?;
         let right = svd.v_t.unwrap_or_else(|| DMatrix::identity(count, count));
         let largest = svd.singular_values.max();
         let alive = |i: usize| largest > 0.0 && svd.singular_values[i] > DEAD * largest;
@@ -101,13 +116,12 @@ impl Uncertainty {
         let smallest = svd.singular_values.min();
         let condition_number = if dead_directions.is_empty() { largest / smallest } else { f64::INFINITY };
 
-        // P = V S⁻² Vᵀ Jᵀ over the directions alive, on unknowns scaled by their effect.
+        // (JᵀJ)⁻¹ = V S⁻² Vᵀ over the directions alive, on unknowns scaled by their effect; P = (JᵀJ)⁻¹ Jᵀ.
         let mut inverse = DMatrix::zeros(count, count);
         for i in (0..count).filter(|&i| alive(i)) {
             let direction = right.row(i).transpose();
             inverse += &direction * direction.transpose() / svd.singular_values[i].powi(2);
         }
-        let pseudo_inverse = &inverse * normalised.transpose();
         let rank = count - dead_directions.len();
         let freedom = measured as f64 - rank as f64;
         let mean_curvature =
@@ -117,22 +131,26 @@ impl Uncertainty {
         let pooled = (0..measured).map(|row| score(row).powi(2)).sum::<f64>() / freedom.max(1.0);
         let covariance_by = |variance_of: &dyn Fn(usize, f64) -> f64| {
             let mut covariance = DMatrix::zeros(count, count);
-            for row in 0..measured {
-                let column = pseudo_inverse.column(row);
-                let leverage = normalised.row(row).transpose().dot(&column);
-                covariance.ger(variance_of(row, leverage), &column, &column, 1.0);
+            for (first, rows) in blocks(&normalised) {
+                consent.ask()?;
+                let pseudo_inverse = &inverse * rows.transpose();
+                for row in 0..rows.nrows().min(measured.saturating_sub(first)) {
+                    let column = pseudo_inverse.column(row);
+                    let leverage = rows.row(row).transpose().dot(&column);
+                    covariance.ger(variance_of(first + row, leverage), &column, &column, 1.0);
+                }
             }
-            covariance
+            Ok::<_, Stopped>(covariance)
         };
         let common = |_: usize, _: f64| pooled;
         let own = |row: usize, leverage: f64| {
             if leverage < ALL_LEVERAGE { (score(row) / (1.0 - leverage)).powi(2) } else { pooled }
         };
         let covariance = match scatter {
-            Scatter::Common => covariance_by(&common),
-            Scatter::ByRow => covariance_by(&own),
+            Scatter::Common => covariance_by(&common)?,
+            Scatter::ByRow => covariance_by(&own)?,
             Scatter::Either => {
-                let (alike, by_row) = (covariance_by(&common), covariance_by(&own));
+                let (alike, by_row) = (covariance_by(&common)?, covariance_by(&own)?);
                 let larger: Vec<f64> = (0..count).map(|i| (by_row[(i, i)] / alike[(i, i)]).max(1.0).sqrt()).collect();
                 DMatrix::from_fn(count, count, |i, k| alike[(i, k)] * larger[i] * larger[k])
             }
@@ -143,16 +161,17 @@ impl Uncertainty {
             !dead && freedom >= 1.0 && mean_curvature > LEAST_CURVATURE
         };
         let effect = |i: usize| if norms[i] > 0.0 { norms[i] } else { 1.0 };
-        let standard_error: Vec<Option<f64>> =
-            (0..count).map(|i| stated(i).then(|| covariance[(i, i)].max(0.0).sqrt() / effect(i))).collect();
+        // A variance that left the range of numbers is no variance of 0.
+        let error = |i: usize| finite(covariance[(i, i)]).and_then(|variance| finite(variance.max(0.0).sqrt() / effect(i)));
+        let standard_error: Vec<Option<f64>> = (0..count).map(|i| error(i).filter(|_| stated(i))).collect();
         let factor = quantile_95(freedom);
-        let half_width = standard_error.iter().map(|error| error.map(|error| factor * error)).collect();
+        let half_width = standard_error.iter().map(|error| error.and_then(|error| finite(factor * error))).collect();
         let correlation = (0..count)
             .map(|i| (0..count).map(|k| correlation(&covariance, i, k).filter(|_| stated(i) && stated(k))).collect())
             .collect();
         let squares: f64 = residuals.iter().take(measured).map(|residual| residual * residual).sum();
         let reduced_chi_square = (freedom >= 1.0).then(|| squares / freedom);
-        Self {
+        Ok(Self {
             standard_error,
             half_width,
             correlation,
@@ -163,7 +182,7 @@ impl Uncertainty {
             reduced_chi_square,
             inverse: DMatrix::from_fn(count, count, |i, k| inverse[(i, k)] / (effect(i) * effect(k))),
             mean_curvature,
-        }
+        })
     }
 
     /// How much the cost rises over `distance` of the scaled unknown `i` with the others refitted, were it a parabola.
@@ -190,6 +209,38 @@ impl Uncertainty {
     pub(crate) fn is_dead(&self, i: usize) -> bool {
         self.dead_directions.iter().any(|direction| direction[i].abs() > PART)
     }
+}
+
+/// The rows of a matrix in blocks, each with the number of its first row.
+fn blocks(matrix: &DMatrix<f64>) -> impl Iterator<Item = (usize, nalgebra::DMatrixView<'_, f64>)> {
+    let rows = matrix.nrows();
+    let block = move |first: usize| (first, matrix.rows(first, POINTS_PER_QUESTION.min(rows - first)));
+    (0..rows).step_by(POINTS_PER_QUESTION).map(block)
+}
+
+/// R of J = Q R, block by block: R of the rows so far takes up the next ones.
+fn triangular_factor(matrix: &DMatrix<f64>, consent: &Consent<'_>) -> Result<DMatrix<f64>, Stopped> {
+    let count = matrix.ncols();
+    let mut factor = DMatrix::zeros(0, count);
+    for (_, rows) in blocks(matrix) {
+        consent.ask()?;
+        let above = factor.nrows();
+        let mut stacked = factor.insert_rows(above, rows.nrows(), 0.0);
+        stacked.rows_mut(above, rows.nrows()).copy_from(&rows);
+        factor = stacked.qr().r();
+    }
+    Ok(factor)
+}
+
+/// S and V of a matrix of finite numbers, in falling order; none where they do not come out within the steps.
+fn singular_values(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
+    // With the tolerance of nalgebra's own `svd`, which has no end of its steps.
+    let mut svd = SVD::try_new_unordered(matrix, false, true, 5.0 * f64::EPSILON, DECOMPOSITION_STEPS)?;
+    if !svd.singular_values.iter().all(|value| value.is_finite()) {
+        return None;
+    }
+    svd.sort_by_singular_values();
+    Some(svd)
 }
 
 /// Correlation of two estimates; where both are certain to the last digit it has no meaning but for an unknown with itself.

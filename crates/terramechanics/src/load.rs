@@ -19,6 +19,10 @@ const TOLERANCE: f64 = 1e-13;
 /// Residual, relative to the scale of the normal force, beyond which a balance counts as not met.
 const LARGEST_RESIDUAL: f64 = 1e-9;
 
+/// Share of the load by which an answer may miss it. The parts of the normal force may be so large beside the load that their
+/// rounding alone is more: then there is no answer.
+const LARGEST_MISS: f64 = 1e-6;
+
 /// Steps outward for a bracket: the least growth of each adds up to 27 decades of sinkage.
 const BRACKET_STEPS: u32 = 30;
 
@@ -58,7 +62,7 @@ impl ForceModel {
     /// # Errors
     /// [`Error::Invalid`] for a load not greater than 0; [`Error::LoadBeyondCapacity`] with the largest load the soil
     /// carries; [`Error::LoadTooLight`] with the least that a braking wheel with two zones carries;
-    /// [`Error::LoadNotBalanced`] with what was reached; what [`Rolling::contact`] and [`ForceModel::forces`] refuse.
+    /// [`Error::LoadNotBalanced`] with what was reached, where that misses the load by more than a millionth of it; what [`Rolling::contact`] and [`ForceModel::forces`] refuse.
     pub fn solve_sinkage(&self, rolling: &Rolling<'_>, load: f64) -> Result<CarriedLoad, Error> {
         if !Requirement::Positive.holds(load) {
             return Err(Error::Invalid(Fault {
@@ -80,7 +84,8 @@ impl ForceModel {
         };
         let residual = forces.normal - load;
         let iterations = balance.iterations;
-        if found.converged && residual.abs() <= LARGEST_RESIDUAL * forces.normal_scale().max(load) {
+        let allowed = (LARGEST_RESIDUAL * forces.normal_scale().max(load)).min(LARGEST_MISS * load);
+        if found.converged && residual.abs() <= allowed {
             Ok(CarriedLoad { sinkage, residual, iterations, forces })
         } else {
             Err(Error::LoadNotBalanced { load, iterations, residual, sinkage })
@@ -119,10 +124,10 @@ impl Balance<'_> {
     }
 
     /// The normal force on a scale on which it is about proportional to the sinkage, minus the load on the same scale; 0
-    /// where they differ by no more than their own accuracy.
+    /// where they differ by no more than their own accuracy, unless that is more than may be missed.
     fn imbalance(&mut self, beyond: f64) -> Result<f64, Error> {
         let forces = self.forces(beyond)?;
-        if (forces.normal - self.load).abs() <= TOLERANCE * forces.normal_scale() {
+        if (forces.normal - self.load).abs() <= (TOLERANCE * forces.normal_scale()).min(LARGEST_MISS * self.load) {
             return Ok(0.0);
         }
         Ok(forces.normal.abs().powf(self.power).copysign(forces.normal) - self.level)

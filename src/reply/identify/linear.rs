@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Unknown, fit_line};
+use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Unknown, fit_line_while};
 
 use super::columns::IdentifyColumns;
 use super::words::{self, number};
 use super::{EstimateReply, IdentifyReply};
+use crate::compute::Pace;
 use crate::reply::Warning;
 use crate::reply::soil::{ContactBody, SoilBody};
 use crate::reply::warning::system_warnings;
@@ -14,7 +15,7 @@ use crate::request::{LinearQuery, fit_fault, name_of, refusal_pointer};
 use crate::wire::FieldFault;
 
 impl IdentifyReply {
-    pub(super) fn of_line(query: &LinearQuery) -> Result<Self, FieldFault> {
+    pub(super) fn of_line(query: &LinearQuery, pace: &Pace) -> Result<Self, FieldFault> {
         let LinearQuery { setup, observations, law_known } = query;
         let fault = |error: FitError| match error {
             FitError::Refused { row, error } => {
@@ -22,12 +23,12 @@ impl IdentifyReply {
             }
             other => fit_fault(&other, &setup.sinkage),
         };
-        let Some(found) = fit_line(setup, observations).map_err(fault)? else {
+        let Some(found) = fit_line_while(setup, observations, &|| pace.goes_on()).map_err(fault)? else {
             let detail = "the normal stress under the wheel is the same in all samples: two different loads, sinkages or slips at \
                           least are needed to tell cohesion from friction";
             return Err(FieldFault { pointer: "/data".to_owned(), detail: detail.to_owned() });
         };
-        let bias = if *law_known { found.model_bias() } else { None };
+        let bias = if *law_known { found.model_bias_while(&|| pace.goes_on()).map_err(fault)? } else { None };
         let estimates = found
             .estimates
             .iter()

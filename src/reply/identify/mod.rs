@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
-use terramechanics_identification::{Bound, Estimate, Fit, FitOptions, fit};
+use terramechanics_identification::{Bound, Estimate, Fit, FitOptions, fit_while};
 use utoipa::ToSchema;
 
 use self::columns::IdentifyColumns;
@@ -19,6 +19,7 @@ use super::forces::method_name;
 use super::soil::{ContactBody, SoilBody};
 use super::warning::system_warnings;
 use super::{Reply, Warning};
+use crate::compute::Pace;
 use crate::request::{FitQuery, IdentifyQuery, column_name, fit_fault, name_of};
 use crate::wire::FieldFault;
 
@@ -92,17 +93,18 @@ impl IdentifyReply {
     ///
     /// # Errors
     /// What of the request the model or the data do not allow.
-    pub(crate) fn of(query: &IdentifyQuery, patience: Duration) -> Result<Self, Vec<FieldFault>> {
+    pub(crate) fn of(query: &IdentifyQuery, patience: Duration, pace: &Pace) -> Result<Self, Vec<FieldFault>> {
         match query {
-            IdentifyQuery::Fit(query) => Self::of_fit(query, Instant::now() + patience.mul_f64(SEARCHING)),
-            IdentifyQuery::Linear(query) => Self::of_line(query).map_err(|fault| vec![fault]),
+            IdentifyQuery::Fit(query) => Self::of_fit(query, Instant::now() + patience.mul_f64(SEARCHING), pace),
+            IdentifyQuery::Linear(query) => Self::of_line(query, pace).map_err(|fault| vec![fault]),
         }
     }
 
-    fn of_fit(query: &FitQuery, until: Instant) -> Result<Self, Vec<FieldFault>> {
+    fn of_fit(query: &FitQuery, until: Instant, pace: &Pace) -> Result<Self, Vec<FieldFault>> {
         let FitQuery { setup, observations, sought, options, .. } = query;
         let options = FitOptions { until: Some(until), ..*options };
-        let found = fit(setup, observations, sought, &options).map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
+        let found = fit_while(setup, observations, sought, &options, &|| pace.goes_on())
+            .map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
         let direction = |direction: &Vec<_>| direction.iter().map(|&(unknown, share)| (name_of(unknown), share)).collect();
         Ok(Self {
             estimator: "nonlinear",

@@ -108,6 +108,7 @@ pub(super) fn identifiability(estimate: &Estimate) -> String {
         }
         Identifiability::Uncertain => match width {
             Some(width) => format!("not determined: ± {} (95 %) is too wide to be of use", number(width)),
+            None if estimate.standard_error.is_some() => "not determined: its interval is wider than numbers go".to_owned(),
             None => "not determined: no error can be stated, there are too few data".to_owned(),
         },
     }

@@ -267,6 +267,7 @@ fn home_of(unknown: Unknown) -> &'static str {
 pub(crate) fn fit_fault(error: &FitError, source: &SinkageSource) -> FieldFault {
     let pointer = match error {
         FitError::Refused { row, error } => refusal_pointer(*row, error, source),
+        FitError::Size(quantity) => format!("/data/{}", column_name(*quantity)),
         _ => "/data".to_owned(),
     };
     FieldFault { pointer, detail: error.to_string() }

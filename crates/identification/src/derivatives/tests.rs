@@ -1,4 +1,5 @@
 use super::*;
+use crate::consent::Consent;
 use crate::fit::FitOptions;
 use crate::observations::{Column, Observations};
 use crate::unknown::Unknown;
@@ -44,7 +45,8 @@ fn derivatives_under_a_load_are_those_of_solved_sinkages() {
         let has = |unknown: &Unknown| unknown.value(&setup).is_some();
         let sought: Vec<Sought> =
             Unknown::ALL.into_iter().filter(has).map(|unknown| Sought::from_setup(unknown, &setup)).collect();
-        let problem = Problem::new(setup, &observations, &sought, &FitOptions::default()).expect("a problem");
+        let consent = Consent::new(&|| true);
+        let problem = Problem::new(setup, &observations, &sought, &FitOptions::default(), &consent).expect("a problem");
         let values: Vec<f64> = sought.iter().map(|one| one.start).collect();
         let all: Vec<usize> = (0..values.len()).collect();
         let base = problem.predictions(&values).expect("predictions");
@@ -54,7 +56,7 @@ fn derivatives_under_a_load_are_those_of_solved_sinkages() {
             let at = |shift: f64| {
                 let mut values = values.clone();
                 values[i] = scale.outward(scale.inward(values[i]) + shift);
-                problem.weighted(&problem.predictions(&values).expect("predictions"))
+                problem.weighted(&problem.predictions(&values).expect("predictions")).expect("residuals")
             };
             let difference = (at(1e-4) - at(-1e-4)) / 2e-4;
             let error = (jacobian.column(i) - &difference).norm() / difference.norm().max(1e-3);

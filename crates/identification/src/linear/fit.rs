@@ -3,11 +3,13 @@
 use terramechanics::{Coupled, Error, ForceModel, Method, Sinkage, Soil, SoilParams};
 
 use super::{RollingSample, StrengthBound, StrengthEstimate, StressPoint, linear_strength};
+use crate::consent::Consent;
 use crate::design::{self, DesignGap};
 use crate::error::FitError;
 use crate::finding::{Bound, Estimate, Identifiability};
 use crate::fitted_column::FittedColumn;
 use crate::observations::{Column, Observations, Quantity};
+use crate::range::{LARGEST, finite, finite_ends};
 use crate::setup::{Prediction, Setup, SinkageSource};
 use crate::student::quantile_95;
 use crate::unknown::Unknown;
@@ -52,26 +54,47 @@ pub struct LinearFit {
 /// [`FitError::Missing`] and [`FitError::Value`] for columns that do not serve, [`FitError::Refused`] for a sample that the
 /// linear stresses do not describe.
 pub fn fit_line(setup: &Setup, observations: &Observations) -> Result<Option<LinearFit>, FitError> {
+    fit_line_while(setup, observations, &|| true)
+}
+
+/// The same, as long as the caller wants to go on; it is asked before every sample, which takes some microseconds.
+///
+/// # Errors
+/// [`FitError::Stopped`] at the first no, and those of [`fit_line`].
+pub fn fit_line_while(
+    setup: &Setup,
+    observations: &Observations,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Option<LinearFit>, FitError> {
+    let consent = Consent::new(go_on);
+    let found = found(setup, observations, &consent);
+    if consent.is_withdrawn() { Err(FitError::Stopped) } else { found }
+}
+
+fn found(setup: &Setup, observations: &Observations, consent: &Consent<'_>) -> Result<Option<LinearFit>, FitError> {
     let samples = samples(observations)?;
     let refused = |(row, error): (usize, Error)| FitError::Refused { row, error };
     let unsound = |_| FitError::Refused { row: 0, error: Error::NotFinite };
     let system = setup.system().map_err(unsound)?;
     let radius = setup.model.normal_stress_radius;
-    let (line, used) = linear_strength(system, radius, samples.iter().copied()).map_err(refused)?;
+    let (line, used) = linear_strength(system, radius, while_wanted(&samples, consent)).map_err(refused)?;
     let Some(line) = line else { return Ok(None) };
     let (cohesion, friction_angle) = (line.cohesion, line.tan_friction.atan());
     let setup = Setup { soil: SoilParams { cohesion, friction_angle, ..setup.soil }, ..*setup };
     let system = terramechanics::WheelOnSoil { soil: Soil::new(setup.soil).map_err(unsound)?, ..system };
     let mut points = Vec::with_capacity(samples.len());
     let mut predicted = Vec::with_capacity(samples.len());
-    for (row, sample) in samples.iter().enumerate() {
+    for (row, sample) in while_wanted(&samples, consent).enumerate() {
         let refused = |error| refused((row, error));
-        points.extend(StressPoint::of(&system, radius, sample).map_err(refused)?);
+        points.extend(StressPoint::of(&system, radius, &sample).map_err(refused)?);
         let rolling = system.rolling(sample.slip).map_err(refused)?;
         let patch = rolling.contact(sample.sinkage).map_err(refused)?;
         let known = Coupled { normal_load: sample.load, torque: None, normal_stress_radius: radius };
         let forces = known.forces(&patch).map_err(refused)?;
         let (longitudinal, torque) = (forces.longitudinal, forces.torque);
+        if !(longitudinal.abs() <= LARGEST && torque.abs() <= LARGEST) {
+            return Err(refused(Error::NotFinite));
+        }
         predicted.push(Prediction { sinkage: sample.sinkage, longitudinal, normal: sample.load, torque });
     }
     // The shear modulus is taken as known, so that one slip leaves its error undetected just as it leaves it unknown.
@@ -111,10 +134,24 @@ impl LinearFit {
     /// loads and torques that lead the line to these very estimates. None where the model has no answer for a sample.
     #[must_use]
     pub fn model_bias(&self) -> Option<[f64; 2]> {
+        self.model_bias_while(&|| true).ok().flatten()
+    }
+
+    /// The same, as long as the caller wants to go on; it is asked before every sample, of which there is an integral.
+    ///
+    /// # Errors
+    /// [`FitError::Stopped`] at the first no.
+    pub fn model_bias_while(&self, go_on: &dyn Fn() -> bool) -> Result<Option<[f64; 2]>, FitError> {
+        let consent = Consent::new(go_on);
+        let bias = self.bias(&consent);
+        if consent.is_withdrawn() { Err(FitError::Stopped) } else { Ok(bias.and_then(finite_ends)) }
+    }
+
+    fn bias(&self, consent: &Consent<'_>) -> Option<[f64; 2]> {
         let [cohesion, friction_angle] = [self.setup.soil.cohesion, self.setup.soil.friction_angle];
         let mut truth = self.setup.soil;
         for _ in 0..BIAS_STEPS {
-            let line = self.line_on(truth)?;
+            let line = self.line_on(truth, consent)?;
             truth.cohesion = (truth.cohesion - BIAS_STEP * (line.cohesion - cohesion)).max(0.0);
             truth.friction_angle -= line.tan_friction.atan() - friction_angle;
         }
@@ -122,21 +159,24 @@ impl LinearFit {
     }
 
     /// The line through what the quadrature predicts on another soil.
-    fn line_on(&self, soil: SoilParams) -> Option<StrengthEstimate> {
+    fn line_on(&self, soil: SoilParams, consent: &Consent<'_>) -> Option<StrengthEstimate> {
         let radius = self.setup.model.normal_stress_radius;
         let model = ForceModel { method: Method::Quadrature, normal_stress_radius: radius };
         let exact = Setup { soil, model, ..self.setup };
         let system = exact.system().ok()?;
-        let simulated: Result<Vec<_>, _> = self
-            .samples
-            .iter()
+        let simulated: Result<Vec<_>, _> = while_wanted(&self.samples, consent)
             .map(|sample| {
                 let forces = exact.predicted(&system, sample.slip, Sinkage::Given(sample.sinkage))?;
-                Ok::<_, Error>(RollingSample { load: forces.normal, torque: forces.torque, ..*sample })
+                Ok::<_, Error>(RollingSample { load: forces.normal, torque: forces.torque, ..sample })
             })
             .collect();
-        linear_strength(system, radius, simulated.ok()?).ok()?.0
+        linear_strength(system, radius, while_wanted(&simulated.ok()?, consent)).ok()?.0
     }
+}
+
+/// The samples, up to where the caller does not want to go on.
+fn while_wanted(samples: &[RollingSample], consent: &Consent<'_>) -> impl Iterator<Item = RollingSample> {
+    samples.iter().copied().take_while(|_| consent.ask().is_ok())
 }
 
 fn samples(observations: &Observations) -> Result<Vec<RollingSample>, FitError> {
@@ -186,8 +226,8 @@ fn estimates(line: &StrengthEstimate, setup: &Setup, gaps: &[DesignGap]) -> [Est
     [0, 1].map(|i| {
         let (value, error, is_held) = numbers[i];
         let unknown = SOUGHT[i];
-        let standard_error = (line.freedom >= 1.0 && error.is_finite()).then_some(error);
-        let half = standard_error.map(|error| factor * error);
+        let standard_error = finite(error).filter(|_| line.freedom >= 1.0);
+        let half = standard_error.and_then(|error| finite(factor * error));
         let at_bound = is_held.then_some(Bound::Lower);
         let identifiability = match gaps.first() {
             Some(DesignGap::OneSlip) => Identifiability::Unseparated(DesignGap::OneSlip, vec![Unknown::ShearModulus]),
@@ -196,7 +236,7 @@ fn estimates(line: &StrengthEstimate, setup: &Setup, gaps: &[DesignGap]) -> [Est
             None if at_bound.is_some() => Identifiability::AtBound,
             None => Identifiability::Determined,
         };
-        let interval = half.map(|half| [value - half, value + half]);
+        let interval = half.and_then(|half| finite_ends([value - half, value + half]));
         Estimate { unknown, value, standard_error, interval, at_bound, identifiability }
     })
 }

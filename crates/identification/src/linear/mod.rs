@@ -25,7 +25,7 @@ mod running;
 
 use terramechanics::{Coupled, Error, NormalStressRadius, Slip, WheelOnSoil};
 
-pub use fit::{LinearFit, fit_line};
+pub use fit::{LinearFit, fit_line, fit_line_while};
 pub use running::{RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, linear_strength};
 
 /// Least |E| of a sample that is used: below, the torque hardly shows the strength.

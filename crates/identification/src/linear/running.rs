@@ -19,6 +19,7 @@ use terramechanics::{Error, NormalStressRadius, Sample, SampleMotion, Sinkage, S
 
 use super::{RollingSample, StressPoint};
 use crate::design::{LOAD_SPREAD, SLIP_SPREAD};
+use crate::range::{self, LARGEST};
 
 /// Relative spread of the normal stresses below which the line has no slope: rounding of the stresses.
 const LEAST_SPREAD: f64 = 1e-6;
@@ -134,12 +135,15 @@ impl RunningStrength {
         })
     }
 
-    /// Takes a sample; whether it was used.
+    /// Takes a sample; whether it was used. One that is refused leaves the estimate as it was.
     ///
     /// # Errors
-    /// Those of [`StressPoint::of`].
+    /// Those of [`StressPoint::of`], and [`Error::NotFinite`] for stresses whose squares could not be summed.
     pub fn take(&mut self, sample: &RollingSample) -> Result<bool, Error> {
         let Some(point) = StressPoint::of(&self.system, self.radius, sample)? else { return Ok(false) };
+        if ![point.normal, point.strength, sample.load].into_iter().all(|value| value.abs() <= LARGEST) {
+            return Err(Error::NotFinite);
+        }
         let kept = self.forgetting;
         self.weight = kept * self.weight + 1.0;
         self.squared_weight = kept * kept * self.squared_weight + 1.0;
@@ -185,17 +189,21 @@ impl RunningStrength {
         (self.slip.squares / self.weight).sqrt() < 0.5 * SLIP_SPREAD
     }
 
-    /// The estimate; none as long as fewer than two different normal stresses were seen.
+    /// The estimate; none as long as fewer than two different normal stresses were seen, or where these are too close to 0 for
+    /// their squares.
     #[must_use]
     pub fn estimate(&self) -> Option<StrengthEstimate> {
         let Self { weight, squared_weight, product, .. } = *self;
         let Moments { mean, squares } = self.normal;
         let spread = (squares / weight.max(1.0)).sqrt();
-        if weight <= 1.0 || spread <= LEAST_SPREAD * mean.abs() {
+        if weight <= 1.0 || spread <= LEAST_SPREAD * mean.abs() || !range::is_usable(spread) {
             return None;
         }
         let about_zero = squares + weight * mean * mean;
         let Strength { cohesion, tan_friction, bound } = self.strength(about_zero);
+        if !(cohesion.is_finite() && tan_friction.is_finite()) {
+            return None;
+        }
         let off_mean = self.strength.mean - cohesion - tan_friction * mean;
         let residuals = self.strength.squares - 2.0 * tan_friction * product
             + tan_friction * tan_friction * squares
@@ -204,10 +212,12 @@ impl RunningStrength {
         let first = squared_weight * shift; // P₁
         let second = self.squared_normal.squares + first * shift; // P₂
         let freedom = weight - squared_weight / weight - second / squares;
-        let noise = if freedom > LEAST_FREEDOM { residuals.max(0.0) / freedom } else { f64::INFINITY };
+        let is_known = freedom > LEAST_FREEDOM && residuals.is_finite();
+        let noise = if is_known { residuals.max(0.0) / freedom } else { f64::INFINITY };
+        let times_noise = |share: f64| if is_known { noise * share } else { f64::INFINITY };
         let height = squared_weight / (weight * weight);
         let mixed = first / (weight * squares);
-        let slope = second / (squares * squares);
+        let slope = second / squares / squares;
         // The two columns have the cosine Σwσ/√(Σw Σwσ²); of two unit vectors the singular values are √(1 ± cos). Their product
         // is the sine, which comes from the centred sum without cancellation.
         let sine = (squares / about_zero).sqrt();
@@ -215,9 +225,9 @@ impl RunningStrength {
         Some(StrengthEstimate {
             cohesion,
             tan_friction,
-            cohesion_variance: noise * (height - 2.0 * mean * mixed + mean * mean * slope),
-            tan_friction_variance: noise * slope,
-            covariance: noise * (mixed - mean * slope),
+            cohesion_variance: times_noise(height - 2.0 * mean * mixed + mean * mean * slope),
+            tan_friction_variance: times_noise(slope),
+            covariance: times_noise(mixed - mean * slope),
             freedom: freedom.max(0.0),
             condition_number: (1.0 + cosine) / sine,
             bound,

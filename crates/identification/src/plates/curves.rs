@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::PlateCurve;
+use crate::consent::{Consent, Stopped};
 
 /// Steps towards the least squares of p; each takes the distance to it at least by half where there is noise of some percent.
 const STEPS: u32 = 60;
@@ -72,21 +73,31 @@ impl Points {
     }
 }
 
-/// All curves with an exponent.
-pub(super) struct Curves {
+/// A point as the covariance takes it: derivatives of its pressure by the level of its curve and by the exponent.
+#[derive(Clone, Copy)]
+struct Row {
+    by_level: f64,
+    by_exponent: f64,
+    residual: f64,
+}
+
+/// All curves with an exponent. The caller is asked before each curve is gone through.
+pub(super) struct Curves<'a> {
     points: Vec<Points>,
+    consent: &'a Consent<'a>,
     largest: f64,
     pub(super) exponent: f64,
 }
 
-impl Curves {
+impl<'a> Curves<'a> {
     /// By Wong's weighted fit.
-    pub(super) fn of(curves: &[PlateCurve]) -> Self {
+    pub(super) fn of(curves: &[PlateCurve], consent: &'a Consent<'a>) -> Result<Self, Stopped> {
         let largest = curves.iter().flat_map(|curve| &curve.pressure).copied().fold(0.0, f64::max);
-        let points: Vec<Points> = curves.iter().map(|curve| Points::of(curve, largest)).collect();
+        let points = curves.iter().map(|curve| consent.ask().map(|()| Points::of(curve, largest)));
+        let points: Vec<Points> = points.collect::<Result<_, _>>()?;
         let sum = |of: fn(&Points) -> f64| points.iter().map(of).sum::<f64>();
         let exponent = sum(|points| points.depth_pressure) / sum(|points| points.depth_depth);
-        Self { points, largest, exponent }
+        Ok(Self { points, consent, largest, exponent })
     }
 
     /// Whether the sinkages of any curve differ by more than rounding.
@@ -97,23 +108,34 @@ impl Curves {
     /// The exponent of one curve alone, by Wong's fit.
     pub(super) fn own_exponent(&self, i: usize) -> Option<f64> {
         let points = &self.points[i];
-        points.has_spread().then(|| points.depth_pressure / points.depth_depth)
+        points.has_spread().then(|| points.depth_pressure / points.depth_depth).filter(|exponent| exponent.is_finite())
+    }
+
+    /// What is said of every curve, as long as the caller wants to go on.
+    fn each<T>(&self, of: impl Fn(&Points) -> T) -> impl Iterator<Item = Result<T, Stopped>> {
+        self.points.iter().map(move |points| self.consent.ask().map(|()| of(points)))
+    }
+
+    fn squares(&self, exponent: f64) -> Result<f64, Stopped> {
+        self.each(|points| points.squares(exponent)).sum()
     }
 
     /// By the least squares of p, by Gauss and Newton's steps, halved where they lead up.
-    pub(super) fn refined(mut self) -> Self {
-        let squares = |exponent: f64| self.points.iter().map(|points| points.squares(exponent)).sum::<f64>();
+    pub(super) fn refined(mut self) -> Result<Self, Stopped> {
         let mut exponent = self.exponent;
-        let mut least = squares(exponent);
+        let mut least = self.squares(exponent)?;
         let mut factor = 1.0;
         for _ in 0..STEPS {
-            let sums = self.points.iter().map(|points| points.slope_sums(exponent));
-            let (square, product) = sums.fold((0.0, 0.0), |sum, (square, product)| (sum.0 + square, sum.1 + product));
+            let (mut square, mut product) = (0.0, 0.0);
+            for sums in self.each(|points| points.slope_sums(exponent)) {
+                let sums = sums?;
+                (square, product) = (square + sums.0, product + sums.1);
+            }
             let step = factor * product / square;
-            let trial = squares(exponent + step);
             if step.abs() < FOUND || !step.is_finite() {
                 break;
             }
+            let trial = self.squares(exponent + step)?;
             if trial <= least {
                 (exponent, least, factor) = (exponent + step, trial, 1.0);
             } else {
@@ -121,7 +143,7 @@ impl Curves {
             }
         }
         self.exponent = exponent;
-        self
+        Ok(self)
     }
 
     /// k_i of every curve (Pa/m^n).
@@ -130,36 +152,36 @@ impl Curves {
         self.points.iter().map(modulus).collect()
     }
 
-    /// Covariance of the k_i and n: (JᵀJ)⁻¹ Jᵀ diag(r²/(1 − h)²) J (JᵀJ)⁻¹ with the leverages h (HC3).
-    pub(super) fn covariance(&self) -> DMatrix<f64> {
+    /// Covariance of the k_i and n: (JᵀJ)⁻¹ Jᵀ diag(r²/(1 − h)²) J (JᵀJ)⁻¹ with the leverages h (HC3); not finite where JᵀJ has no
+    /// inverse.
+    pub(super) fn covariance(&self) -> Result<DMatrix<f64>, Stopped> {
         let count = self.points.len();
-        let rows = || {
-            self.points.iter().enumerate().flat_map(|(i, points)| {
-                let level = points.level(self.exponent);
-                let row = move |((shape, depth), p): ((f64, &f64), &f64)| (i, shape, level * shape * depth, level * shape - p);
-                points.shapes(self.exponent).zip(&points.depth).zip(&points.pressure).map(row)
-            })
-        };
         let mut normal = DMatrix::zeros(count + 1, count + 1);
-        let add = |matrix: &mut DMatrix<f64>, i: usize, by_level: f64, by_exponent: f64, weight: f64| {
+        let add = |matrix: &mut DMatrix<f64>, i: usize, Row { by_level, by_exponent, .. }: Row, weight: f64| {
             matrix[(i, i)] += weight * by_level * by_level;
             matrix[(i, count)] += weight * by_level * by_exponent;
             matrix[(count, i)] = matrix[(i, count)];
             matrix[(count, count)] += weight * by_exponent * by_exponent;
         };
-        rows().for_each(|(i, by_level, by_exponent, _)| add(&mut normal, i, by_level, by_exponent, 1.0));
-        let Some(inverse) = normal.try_inverse() else { return DMatrix::from_element(count + 1, count + 1, f64::INFINITY) };
-        let measured = rows().count() as f64;
-        let squares: f64 = rows().map(|(.., residual)| residual * residual).sum();
-        let pooled = squares / (measured - count as f64 - 1.0).max(1.0);
+        let (mut measured, mut squares) = (0.0, 0.0);
+        self.each_row(|i, row| {
+            add(&mut normal, i, row, 1.0);
+            measured += 1.0;
+            squares += row.residual * row.residual;
+        })?;
+        let Some(inverse) = normal.try_inverse() else {
+            return Ok(DMatrix::from_element(count + 1, count + 1, f64::INFINITY));
+        };
+        let pooled = squares / (measured - count as f64 - 1.0_f64).max(1.0);
         let mut scatter = DMatrix::zeros(count + 1, count + 1);
-        for (i, by_level, by_exponent, residual) in rows() {
+        self.each_row(|i, row| {
+            let Row { by_level, by_exponent, residual } = row;
             let leverage = by_level * by_level * inverse[(i, i)]
                 + 2.0 * by_level * by_exponent * inverse[(i, count)]
                 + by_exponent * by_exponent * inverse[(count, count)];
             let variance = if leverage < ALL_LEVERAGE { (residual / (1.0 - leverage)).powi(2) } else { pooled };
-            add(&mut scatter, i, by_level, by_exponent, variance);
-        }
+            add(&mut scatter, i, row, variance);
+        })?;
         let by_level = &inverse * scatter * &inverse;
         // From the levels at the mean depths to the moduli: k_i = level e^(−n m_i).
         let moduli = self.moduli();
@@ -169,6 +191,18 @@ impl Curves {
             (row, column) if row == column => 1.0,
             _ => 0.0,
         });
-        &slopes * by_level * slopes.transpose()
+        Ok(&slopes * by_level * slopes.transpose())
+    }
+
+    /// What is done with every point, by the number of its curve, as long as the caller wants to go on.
+    fn each_row(&self, mut of: impl FnMut(usize, Row)) -> Result<(), Stopped> {
+        for (i, points) in self.points.iter().enumerate() {
+            self.consent.ask()?;
+            let level = points.level(self.exponent);
+            for ((shape, depth), p) in points.shapes(self.exponent).zip(&points.depth).zip(&points.pressure) {
+                of(i, Row { by_level: shape, by_exponent: level * shape * depth, residual: level * shape - p });
+            }
+        }
+        Ok(())
     }
 }

@@ -1,5 +1,6 @@
 //! The sum of squares of all shear tests, of which only the shear modulus has to be searched.
 
+use crate::consent::{Consent, POINTS_PER_QUESTION, Stopped};
 use crate::problem::Obstacle;
 use crate::profile::Valley;
 use crate::uncertainty::Uncertainty;
@@ -13,6 +14,10 @@ const SECTIONS: u32 = 64;
 /// The same where a sum of squares is wanted and not its place: 0.618^12 of the scan's step is a third of a thousandth of it.
 const FEW_SECTIONS: u32 = 12;
 
+/// Squared sine of the angle between the columns of c and tan φ below which they are one column but for rounding; a hundredth
+/// of the points under a normal stress that differs by a thousandth leave 1e-8.
+const ONE_COLUMN: f64 = 1e-13;
+
 /// c, tan φ and K.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Law {
@@ -21,16 +26,43 @@ pub(super) struct Law {
     pub(super) modulus: f64,
 }
 
+/// 1 − e^(−j/K), the share of the strength that is mobilised: 0 without displacement, whatever the modulus.
+pub(super) fn mobilised(displacement: f64, modulus: f64) -> f64 {
+    if displacement == 0.0 { 0.0 } else { -(-displacement / modulus).exp_m1() }
+}
+
+/// Its derivative by ln K, −x e^(−x) with x = j/K, which is 0 in the limit of a displacement far beyond the modulus.
+pub(super) fn mobilised_by_log_modulus(displacement: f64, modulus: f64) -> f64 {
+    let ratio = displacement / modulus;
+    if ratio.is_finite() { -ratio * (-ratio).exp() } else { 0.0 }
+}
+
 impl Law {
+    pub(super) fn strength(&self, normal: f64) -> f64 {
+        self.cohesion + normal * self.tan_friction
+    }
+
     pub(super) fn shear(&self, normal: f64, displacement: f64) -> f64 {
-        (self.cohesion + normal * self.tan_friction) * -(-displacement / self.modulus).exp_m1()
+        self.strength(normal) * mobilised(displacement, self.modulus)
     }
 }
 
-/// All points: normal stress, displacement, shear stress, stresses in units of the largest.
-pub(super) struct Points {
-    pub(super) list: Vec<(f64, f64, f64)>,
+/// A point of a test: stresses in units of the largest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Point {
+    pub(super) normal: f64,
+    pub(super) displacement: f64,
+    pub(super) shear: f64,
+}
+
+/// The points of all tests.
+pub(super) struct Points<'a> {
+    pub(super) list: Vec<Point>,
+    /// The largest stress (Pa).
     pub(super) unit: f64,
+    /// The largest displacement (m).
+    pub(super) farthest: f64,
+    pub(super) consent: &'a Consent<'a>,
 }
 
 /// What is held while the others are fitted.
@@ -41,85 +73,108 @@ enum Held {
     TanFriction(f64),
 }
 
-impl Points {
+impl Points<'_> {
+    /// What is done with every point, as long as the caller wants to go on.
+    pub(super) fn each(&self, mut of: impl FnMut(usize, &Point)) -> Result<(), Stopped> {
+        for (block, points) in self.list.chunks(POINTS_PER_QUESTION).enumerate() {
+            self.consent.ask()?;
+            for (i, point) in points.iter().enumerate() {
+                of(block * POINTS_PER_QUESTION + i, point);
+            }
+        }
+        Ok(())
+    }
+
     /// The best c and tan φ at a modulus, both at or above 0, and the sum of squares that they leave.
-    fn at(&self, modulus: f64, held: Held) -> (Law, f64) {
+    fn at(&self, modulus: f64, held: Held) -> Result<(Law, f64), Stopped> {
         let (mut ee, mut es, mut ss, mut et, mut st) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for &(normal, displacement, shear) in &self.list {
-            let share = -(-displacement / modulus).exp_m1();
+        self.each(|_, &Point { normal, displacement, shear }| {
+            let share = mobilised(displacement, modulus);
             let pressed = share * normal;
             ee += share * share;
             es += share * pressed;
             ss += pressed * pressed;
             et += share * shear;
             st += pressed * shear;
-        }
+        })?;
+        let law = |cohesion, tan_friction| Law { cohesion, tan_friction, modulus };
+        let (friction_alone, cohesion_alone) = (law(0.0, ratio(st, ss)), law(ratio(et, ee), 0.0));
         let determinant = ee * ss - es * es;
         let free = ((ss * et - es * st) / determinant, (ee * st - es * et) / determinant);
         // The sum is convex: where the free minimum breaks a bound, the best is on a bound.
-        let (cohesion, tan_friction) = match (held, free.0 >= 0.0, free.1 >= 0.0) {
-            (Held::Cohesion(cohesion), ..) => (cohesion, ((st - cohesion * es) / ss).max(0.0)),
-            (Held::TanFriction(tan_friction), ..) => (((et - tan_friction * es) / ee).max(0.0), tan_friction),
-            (Held::Nothing, true, true) => free,
-            (Held::Nothing, false, _) => (0.0, (st / ss).max(0.0)),
-            (Held::Nothing, true, false) => ((et / ee).max(0.0), 0.0),
+        let best = match (held, free.0 >= 0.0, free.1 >= 0.0) {
+            (Held::Cohesion(cohesion), ..) => law(cohesion, ratio(st - cohesion * es, ss)),
+            (Held::TanFriction(tan_friction), ..) => law(ratio(et - tan_friction * es, ee), tan_friction),
+            (Held::Nothing, ..) if ss < f64::MIN_POSITIVE || determinant <= ONE_COLUMN * ee * ss => {
+                let (by_friction, by_cohesion) = (self.squares(&friction_alone)?, self.squares(&cohesion_alone)?);
+                let is_friction = by_friction <= by_cohesion;
+                return Ok(if is_friction { (friction_alone, by_friction) } else { (cohesion_alone, by_cohesion) });
+            }
+            (Held::Nothing, true, true) => law(free.0, free.1),
+            (Held::Nothing, false, _) => friction_alone,
+            (Held::Nothing, true, false) => cohesion_alone,
         };
-        let law = Law { cohesion, tan_friction, modulus };
-        (law, self.squares(&law))
+        Ok((best, self.squares(&best)?))
     }
 
-    pub(super) fn squares(&self, law: &Law) -> f64 {
-        let left = |&(normal, displacement, shear): &(f64, f64, f64)| (law.shear(normal, displacement) - shear).powi(2);
-        let squares: f64 = self.list.iter().map(left).sum();
-        if squares.is_finite() { squares } else { f64::INFINITY }
+    pub(super) fn squares(&self, law: &Law) -> Result<f64, Stopped> {
+        let mut squares = 0.0;
+        self.each(|_, point| squares += (law.shear(point.normal, point.displacement) - point.shear).powi(2))?;
+        Ok(if squares.is_finite() { squares } else { f64::INFINITY })
     }
 
     /// Modulus of the scan: six decades about the farthest displacement.
     fn scanned(&self, i: u32) -> f64 {
-        let farthest = self.list.iter().map(|(_, displacement, _)| *displacement).fold(0.0, f64::max);
-        farthest * 10_f64.powf(f64::from(i) / 20.0 - 4.5)
+        self.farthest * 10_f64.powf(f64::from(i) / 20.0 - 4.5)
     }
 
     /// The best modulus: by the scan, then between its neighbours.
-    pub(super) fn best(&self) -> Law {
-        self.least(Held::Nothing, SECTIONS).0
+    pub(super) fn best(&self) -> Result<Law, Stopped> {
+        Ok(self.least(Held::Nothing, SECTIONS)?.0)
     }
 
-    fn least(&self, held: Held, sections: u32) -> (Law, f64) {
-        let cost = |log: f64| self.at(log.exp(), held).1;
-        let costs: Vec<f64> = (0..SCANNED).map(|i| self.at(self.scanned(i), held).1).collect();
+    fn least(&self, held: Held, sections: u32) -> Result<(Law, f64), Stopped> {
+        let cost = |log: f64| self.at(log.exp(), held).map(|(_, squares)| squares);
+        let costs: Vec<f64> =
+            (0..SCANNED).map(|i| self.at(self.scanned(i), held).map(|(_, squares)| squares)).collect::<Result<_, _>>()?;
         let best = (0..SCANNED).min_by(|&i, &k| costs[i as usize].total_cmp(&costs[k as usize])).unwrap_or(0);
         let golden = 0.5 * (5_f64.sqrt() - 1.0);
         let ends = [best.saturating_sub(1), (best + 1).min(SCANNED - 1)];
         let [mut low, mut high] = ends.map(|i| self.scanned(i).ln());
         let (mut left, mut right) = (high - golden * (high - low), low + golden * (high - low));
-        let (mut at_left, mut at_right) = (cost(left), cost(right));
+        let (mut at_left, mut at_right) = (cost(left)?, cost(right)?);
         for _ in 0..sections {
             if at_left <= at_right {
                 (high, right, at_right) = (right, left, at_left);
                 left = high - golden * (high - low);
-                at_left = cost(left);
+                at_left = cost(left)?;
             } else {
                 (low, left, at_left) = (left, right, at_right);
                 right = low + golden * (high - low);
-                at_right = cost(right);
+                at_right = cost(right)?;
             }
         }
         self.at((0.5 * (low + high)).exp(), held)
     }
 }
 
+/// The best factor of a column at or above 0; 0 where the column is too small to say.
+fn ratio(product: f64, square: f64) -> f64 {
+    let ratio = product / square;
+    if ratio.is_finite() { ratio.max(0.0) } else { 0.0 }
+}
+
 /// The sum of squares about its minimum, over c, tan φ and ln K.
 pub(super) struct ShearValley<'a> {
-    pub(super) points: &'a Points,
+    pub(super) points: &'a Points<'a>,
     pub(super) law: &'a Law,
     pub(super) uncertainty: &'a Uncertainty,
     pub(super) useful: [f64; 3],
 }
 
 impl ShearValley<'_> {
-    fn above(&self, squares: f64) -> f64 {
-        (squares - self.points.squares(self.law)).max(0.0)
+    fn above(&self, squares: f64) -> Result<f64, Obstacle> {
+        Ok((squares - self.points.squares(self.law)?).max(0.0))
     }
 }
 
@@ -154,15 +209,15 @@ impl Valley for ShearValley<'_> {
             tan_friction: (self.law.tan_friction + moved(1)).max(0.0),
             modulus: self.law.modulus * moved(2).exp(),
         };
-        Ok(self.above(self.points.squares(&law)))
+        self.above(self.points.squares(&law)?)
     }
 
     fn rise(&self, i: usize, step: f64, most: f64) -> Result<f64, Obstacle> {
         let (_, squares) = match i {
-            0 => self.points.least(Held::Cohesion(self.law.cohesion + step), FEW_SECTIONS),
-            1 => self.points.least(Held::TanFriction(self.law.tan_friction + step), FEW_SECTIONS),
-            _ => self.points.at(self.law.modulus * step.exp(), Held::Nothing),
+            0 => self.points.least(Held::Cohesion(self.law.cohesion + step), FEW_SECTIONS)?,
+            1 => self.points.least(Held::TanFriction(self.law.tan_friction + step), FEW_SECTIONS)?,
+            _ => self.points.at(self.law.modulus * step.exp(), Held::Nothing)?,
         };
-        Ok(self.above(squares).min(most))
+        Ok(self.above(squares)?.min(most))
     }
 }

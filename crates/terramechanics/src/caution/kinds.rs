@@ -21,7 +21,7 @@ const EARTH_GRAVITY: f64 = 9.80665;
 /// Estimate of the relative integration error above which a result says so.
 const LARGEST_INTEGRATION_ERROR: f64 = 1e-9;
 
-/// Residual of the load balance over the load above which a result says so.
+/// Residual of the load balance over the load above which a result says so; a thousand times more is refused.
 const LARGEST_LOAD_RESIDUAL: f64 = 1e-9;
 
 /// Share of the pressure on the side wall below which all of it is more than twice what is there.
