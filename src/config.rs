@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-use crate::app::Limits;
+use crate::state::Limits;
 
 /// Forces of a wheel on soil, over HTTP: an API and a plotting page.
 #[derive(Debug, Parser)]

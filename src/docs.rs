@@ -10,9 +10,9 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use utoipa_swagger_ui::{Config, serve};
 
-use crate::app::Service;
 use crate::extract::Name;
 use crate::problem::Problem;
+use crate::state::Service;
 use crate::wire::shortened;
 
 /// Swagger UI sets styles on its elements from scripts, which needs `'unsafe-inline'` for styles; scripts stay its own.

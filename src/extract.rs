@@ -10,10 +10,10 @@ use axum::http::{HeaderMap, Request, Uri};
 use utoipa::IntoParams;
 use utoipa::openapi::path::{Parameter, ParameterIn};
 
-use crate::app::Service;
 use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::request::{self, checked};
+use crate::state::Service;
 use crate::wire::{self, Choice, Entry, FieldFault, Query, Scope, Spec, shortened};
 
 /// A request body that was read and checked.

@@ -4,27 +4,26 @@
 //! fault → the model → a reply of `reply` → bytes. Physics live in the crate `terramechanics`, HTTP here.
 
 mod api;
-mod app;
 mod catalogue;
 mod coding;
 mod compute;
 pub mod config;
+mod contract;
 mod docs;
-mod examples;
 mod extract;
 mod http1;
 pub mod log;
 mod metrics;
 mod observe;
-mod openapi;
 mod page;
-mod paths;
 mod problem;
 mod reply;
 mod request;
 mod rest;
+mod router;
 mod series;
 pub mod server;
+mod state;
 mod stream;
 mod validation;
 mod wire;
@@ -41,6 +40,7 @@ pub mod fuzzing {
     }
 }
 
-pub use app::{Limits, Service, app, layered};
+pub use contract::Contract;
 pub use metrics::Metrics;
-pub use openapi::{document as openapi_document, text as openapi_text};
+pub use router::{app, contract, layered};
+pub use state::{Limits, Service};

@@ -9,7 +9,7 @@ use clap::Parser;
 use terramechanics_server::config::{Command, Config, Serve, check_environment};
 use terramechanics_server::log::Log;
 use terramechanics_server::server::{Bounds, serve, told_to_stop};
-use terramechanics_server::{Service, app, openapi_text};
+use terramechanics_server::{Service, app, contract};
 use tokio::net::TcpListener;
 
 /// Steadier memory under load than the system's allocator.
@@ -19,7 +19,7 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 fn main() -> ExitCode {
     let config = Config::parse();
     let result = match config.command {
-        Some(Command::Openapi) => std::io::stdout().write_all(openapi_text().as_bytes()).map_err(|error| error.to_string()),
+        Some(Command::Openapi) => std::io::stdout().write_all(contract().text()).map_err(|error| error.to_string()),
         Some(Command::Healthcheck { listen, timeout }) => healthcheck(listen, Duration::from_secs(timeout)),
         None => check_environment(std::env::vars_os().filter_map(|(name, _)| name.into_string().ok()))
             .and_then(|()| run(&config.serve)),

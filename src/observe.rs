@@ -12,7 +12,7 @@ use axum::http::{HeaderName, HeaderValue, StatusCode};
 use axum::middleware::Next;
 use axum::response::Response;
 
-use crate::app::Service;
+use crate::state::Service;
 
 const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 

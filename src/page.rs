@@ -10,9 +10,9 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use rust_embed::{Embed, EmbeddedFile};
 
-use crate::app::Service;
 use crate::extract::Name;
 use crate::problem::Problem;
+use crate::state::Service;
 use crate::wire::shortened;
 
 #[derive(Embed)]

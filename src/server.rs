@@ -15,7 +15,7 @@ use hyper_util::service::TowerToHyperService;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
 
-use crate::app::Service;
+use crate::state::Service;
 
 /// Bounds of the accept loop.
 #[derive(Debug, Clone, Copy)]

@@ -10,9 +10,9 @@ use axum::response::{IntoResponse, Response};
 use http_body_util::{BodyExt, channel};
 use tokio::time::{Instant, timeout, timeout_at};
 
-use crate::app::Limits;
 use crate::compute::Place;
 use crate::problem::Problem;
+use crate::state::Limits;
 
 /// Output after which a slice ends (bytes). Larger pieces are hardly faster.
 pub(crate) const PIECE: usize = 16 << 10;

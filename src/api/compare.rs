@@ -4,12 +4,12 @@ use axum::extract::State;
 use axum::response::Response;
 
 use super::responses::{InvalidBody, Limits};
-use crate::app::Service;
 use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::CompareReply;
 use crate::request::CompareDto;
+use crate::state::Service;
 
 /// Several methods and laws side by side, with the gap to the integral
 ///

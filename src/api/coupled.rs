@@ -5,12 +5,12 @@ use axum::response::Response;
 use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, Limits};
-use crate::app::Service;
 use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::CoupledReply;
 use crate::request::CoupledDto;
+use crate::state::Service;
 
 /// Torque and pull from a load that is measured
 ///

@@ -4,12 +4,12 @@ use axum::extract::State;
 use axum::response::Response;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
-use crate::app::Service;
 use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ForcesReply;
 use crate::request::{ForcesDto, ForcesQuery};
+use crate::state::Service;
 
 /// Forces and torque of a wheel at one operating point
 ///

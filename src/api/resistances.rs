@@ -5,12 +5,12 @@ use axum::response::Response;
 use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
-use crate::app::Service;
 use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ResistancesReply;
 use crate::request::{ResistancesDto, ResistancesQuery};
+use crate::state::Service;
 
 /// Bekker's estimates of sinkage, resistances and thrust
 ///

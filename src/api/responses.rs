@@ -33,7 +33,7 @@ fn refused() -> Problem {
 }
 
 /// What can be wrong with a body.
-pub(super) struct InvalidBody;
+pub(crate) struct InvalidBody;
 
 impl IntoResponses for InvalidBody {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
@@ -52,7 +52,7 @@ impl IntoResponses for InvalidBody {
 }
 
 /// What can be wrong with a body that is a series.
-pub(super) struct InvalidSeries;
+pub(crate) struct InvalidSeries;
 
 impl IntoResponses for InvalidSeries {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
@@ -71,7 +71,7 @@ impl IntoResponses for InvalidSeries {
 }
 
 /// What can be wrong with a query.
-pub(super) struct InvalidQuery;
+pub(crate) struct InvalidQuery;
 
 impl IntoResponses for InvalidQuery {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
@@ -80,7 +80,7 @@ impl IntoResponses for InvalidQuery {
 }
 
 /// What the service's limits can bring about.
-pub(super) struct Limits;
+pub(crate) struct Limits;
 
 impl IntoResponses for Limits {
     fn responses() -> BTreeMap<String, RefOr<Response>> {
@@ -93,7 +93,7 @@ impl IntoResponses for Limits {
 }
 
 /// What can be wrong with a name in a path.
-pub(super) struct UnknownName;
+pub(crate) struct UnknownName;
 
 impl IntoResponses for UnknownName {
     fn responses() -> BTreeMap<String, RefOr<Response>> {

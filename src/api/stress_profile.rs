@@ -4,12 +4,12 @@ use axum::extract::State;
 use axum::response::Response;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
-use crate::app::Service;
 use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ProfileReply;
 use crate::request::{ProfileDto, ProfileQuery};
+use crate::state::Service;
 
 /// Stresses along the rim, exact and linearised
 ///

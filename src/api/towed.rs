@@ -4,12 +4,12 @@ use axum::extract::State;
 use axum::response::Response;
 
 use super::responses::{InvalidBody, Limits};
-use crate::app::Service;
 use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::TowedReply;
 use crate::request::TowedDto;
+use crate::state::Service;
 
 /// Skid, sinkage and resistance of a towed wheel
 ///

@@ -5,13 +5,13 @@ use axum::extract::{FromRequest, Request, State};
 use axum::response::Response;
 
 use super::responses::{InvalidSeries, Limits};
-use crate::app::{self, Service};
 use crate::compute::Place;
 use crate::extract::{Input, SeriesForm, read_query};
 use crate::problem::Problem;
 use crate::reply::TrackReply;
 use crate::request::{TrackDto, checked_settings};
 use crate::series::Run;
+use crate::state::{self, Service};
 use crate::stream;
 
 /// A wheel followed over time
@@ -54,7 +54,7 @@ struct Asked {
     run: Run,
     body: Body,
     place: Place,
-    limits: app::Limits,
+    limits: state::Limits,
 }
 
 async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
@@ -64,7 +64,7 @@ async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
     if form == SeriesForm::Json {
         let Input(query) = Input::<TrackDto>::from_request(request, service).await?;
         // All is there already, so that it is a computation like any other.
-        let limits = app::Limits { stream_deadline: limits.compute_deadline, ..limits };
+        let limits = state::Limits { stream_deadline: limits.compute_deadline, ..limits };
         let place = service.pool().place()?;
         return Ok(Asked { run: Run::over_samples(query, wanted), body: Body::empty(), place, limits });
     }

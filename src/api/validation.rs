@@ -10,11 +10,11 @@ use utoipa::ToSchema;
 
 use super::catalogue::unknown;
 use super::responses::{InvalidQuery, Limits, UnknownName};
-use crate::app::Service;
 use crate::compute::{Cost, Pace, json_text, written};
 use crate::extract::{AskedFormat, FormatParameter, Name, NoQuery};
 use crate::problem::Problem;
 use crate::reply::ValidationSet;
+use crate::state::Service;
 use crate::validation;
 
 /// Published measurements, with what the methods give for them.

@@ -3,7 +3,7 @@
 use axum::body::Body;
 use axum::routing::get as route_get;
 use serde_json::{Value, json};
-use terramechanics_server::{Limits, Service, layered};
+use terramechanics_server::{Limits, Service, contract, layered};
 use tower::ServiceExt;
 
 use crate::asking::{Answer, get, letter, post, post_text, request, runtime, send, send_to, with};
@@ -247,8 +247,11 @@ fn a_panic_is_a_500_without_details_and_the_next_request_works() {
     async fn panics() -> &'static str {
         panic!("secret cause")
     }
-    let app =
-        layered(axum::Router::new().route("/panic", route_get(panics)).route("/fine", route_get(|| async { "fine" })), service);
+    let app = layered(
+        axum::Router::new().route("/panic", route_get(panics)).route("/fine", route_get(|| async { "fine" })),
+        contract(),
+        service,
+    );
     let ask = |path: &'static str| {
         let app = app.clone();
         runtime().block_on(async move {

@@ -256,7 +256,7 @@ impl<'a> Problem<'a> {
             let measured = self.observations.column(quantity).map_or(&[][..], |column| &column.values);
             for (row, (prediction, measured)) in predictions.iter().zip(measured).enumerate() {
                 let residual = (quantity.of(prediction) - measured) * self.weights[place];
-                if !(residual.abs() <= LARGEST) {
+                if residual.is_nan() || residual.abs() > LARGEST {
                     return Err(Obstacle::Row { row, error: Error::NotFinite });
                 }
                 residuals[place] = residual;

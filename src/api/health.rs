@@ -1,4 +1,4 @@
-//! What operators ask: health, readiness, metrics, the contract.
+//! What operators ask: health, readiness, metrics.
 
 use axum::extract::State;
 use axum::http::header::CONTENT_TYPE;
@@ -7,10 +7,9 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::responses::Limits;
-use crate::app::Service;
-use crate::compute::{Cost, json, json_text};
-use crate::openapi;
+use crate::compute::json;
 use crate::problem::Problem;
+use crate::state::Service;
 
 /// State of the service.
 #[derive(Serialize, ToSchema)]
@@ -54,18 +53,4 @@ pub(crate) async fn metrics(State(service): State<Service>) -> Result<Response, 
         Problem::Internal
     })?;
     Ok(([(CONTENT_TYPE, "application/openmetrics-text; version=1.0.0; charset=utf-8")], text).into_response())
-}
-
-/// The contract
-///
-/// This document.
-#[utoipa::path(
-    get,
-    path = "/openapi.json",
-    tag = "operations",
-    responses((status = 200, description = "The OpenAPI document", body = serde_json::Value), Limits)
-)]
-pub(crate) async fn openapi(State(service): State<Service>) -> Result<Response, Problem> {
-    let cost = if openapi::is_written() { Cost::NONE } else { Cost::of_contract() };
-    service.pool().run(cost, |_| Ok(json_text(openapi::text()))).await
 }

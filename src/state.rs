@@ -1,20 +1,11 @@
-//! The service put together: one function makes the router that the program serves and the tests call.
+//! What all requests share: the limits, the pool for computations, the counters.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use axum::Router;
-use axum::http::Uri;
-use axum::middleware;
-use axum::response::{IntoResponse, Response};
-use tower_http::catch_panic::CatchPanicLayer;
-
 use crate::compute::{Pool, PoolBounds};
 use crate::metrics::Metrics;
-use crate::problem::Problem;
-use crate::wire::shortened;
-use crate::{docs, http1, observe, openapi, page, paths};
 
 /// Limits of the service.
 #[derive(Debug, Clone, Copy)]
@@ -116,31 +107,4 @@ impl Service {
     pub fn metrics(&self) -> &Metrics {
         &self.0.metrics
     }
-}
-
-/// The router of the service, with every layer on.
-pub fn app(service: Service) -> Router {
-    layered(openapi::documented_routes().merge(page::routes()).merge(docs::routes()), service)
-}
-
-/// `routes` with the fallbacks and layers of the service.
-pub fn layered(routes: Router<Service>, service: Service) -> Router {
-    routes
-        .fallback(|uri: Uri| async move { nothing_at(uri.path()) })
-        .method_not_allowed_fallback(|uri: Uri| async move { Problem::MethodNotAllowed(paths::methods_of(uri.path())) })
-        .layer(CatchPanicLayer::custom(panicked))
-        .layer(middleware::from_fn(http1::receive))
-        .layer(middleware::from_fn_with_state(service.clone(), observe::observe))
-        .with_state(service)
-}
-
-fn nothing_at(path: &str) -> Problem {
-    let meant = paths::meant_by(path).map_or_else(String::new, |meant| format!("; did you mean {meant}?"));
-    Problem::NotFound(format!("no such path: {}{meant}", shortened(path)))
-}
-
-fn panicked(cause: Box<dyn std::any::Any + Send>) -> Response {
-    let text = cause.downcast_ref::<&str>().copied().or_else(|| cause.downcast_ref::<String>().map(String::as_str));
-    tracing::error!(cause = text.unwrap_or("unknown"), "a request panicked");
-    Problem::Internal.into_response()
 }

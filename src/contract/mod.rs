@@ -1,0 +1,123 @@
+//! The contract: an OpenAPI document of the operations, generated from their code.
+
+mod examples;
+mod paths;
+
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+use axum::Extension;
+use axum::body::Bytes;
+use axum::extract::State;
+use axum::response::Response;
+use utoipa::OpenApi;
+use utoipa::openapi::OpenApi as Document;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+use self::paths::Known;
+use crate::api::responses::Limits;
+use crate::compute::{Cost, json_text};
+use crate::problem::Problem;
+use crate::state::Service;
+
+#[derive(OpenApi)]
+#[openapi(
+    info(
+        title = "Terramechanics",
+        description = "Steady forces of a rigid wheel, with or without lugs, rolling on deformable soil: drawbar pull, normal force, torque, \
+                       sinkage and stresses. SI units and radians; the suffix of a field is its unit. Slip is −1 (locked) … 0 (rolling) … 1 \
+                       (spinning). Angles are measured at the wheel's centre from straight down, positive towards the front. Every failure is \
+                       an RFC 9457 problem document.",
+        contact(name = "The terramechanics project"),
+        license(name = "MIT", identifier = "MIT")
+    ),
+    components(schemas(crate::problem::ProblemBody)),
+    servers((url = "/", description = "This server")),
+    security(()),
+    tags(
+        (name = "forces", description = "Forces and stresses of a wheel"),
+        (name = "identification", description = "Parameters of soil and contact from measurements"),
+        (name = "catalogue", description = "Wheels, soils, measurements and equations, with their sources"),
+        (name = "operations", description = "For operators and tools")
+    )
+)]
+struct Frame;
+
+/// The document before it has operations.
+pub(crate) fn frame() -> Document {
+    Frame::openapi()
+}
+
+/// The contract of the service that is running.
+#[derive(Default)]
+pub struct Contract {
+    /// The document without examples, which take a while to compute.
+    plain: OnceLock<Document>,
+    known: OnceLock<Vec<Known>>,
+    text: OnceLock<Bytes>,
+}
+
+impl fmt::Debug for Contract {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Contract").field("is_written", &self.text.get().is_some()).finish_non_exhaustive()
+    }
+}
+
+impl Contract {
+    /// Says what the contract describes; the first word stands.
+    pub(crate) fn describe(&self, document: Document) {
+        self.known.get_or_init(|| paths::known(&document));
+        self.plain.get_or_init(|| document);
+    }
+
+    /// The document, with its examples.
+    #[must_use]
+    pub fn document(&self) -> Document {
+        let mut document = self.plain.get().cloned().unwrap_or_else(frame);
+        examples::attach(&mut document);
+        document
+    }
+
+    /// The document as text, as it is served and committed. The first call computes all examples.
+    pub fn text(&self) -> &Bytes {
+        self.text.get_or_init(|| {
+            let mut text = self.document().to_pretty_json().unwrap_or_default();
+            text.push('\n');
+            text.into()
+        })
+    }
+
+    /// The methods of a path, in words; none of a path that is not in the contract.
+    pub(crate) fn methods_of(&self, path: &str) -> Option<String> {
+        paths::methods_of(self.known(), path)
+    }
+
+    /// The path that was probably meant by one that is not there.
+    pub(crate) fn meant_by(&self, path: &str) -> Option<&str> {
+        paths::meant_by(self.known(), path)
+    }
+
+    fn known(&self) -> &[Known] {
+        self.known.get().map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The operation that answers with the contract.
+pub(crate) fn route(contract: &Arc<Contract>) -> OpenApiRouter<Service> {
+    OpenApiRouter::new().routes(routes!(openapi)).layer(Extension(contract.clone()))
+}
+
+/// The contract
+///
+/// This document.
+#[utoipa::path(
+    get,
+    path = "/openapi.json",
+    tag = "operations",
+    responses((status = 200, description = "The OpenAPI document", body = serde_json::Value), Limits)
+)]
+async fn openapi(State(service): State<Service>, Extension(contract): Extension<Arc<Contract>>) -> Result<Response, Problem> {
+    let cost = if contract.text.get().is_some() { Cost::NONE } else { Cost::of_contract() };
+    service.pool().run(cost, move |_| Ok(json_text(contract.text().clone()))).await
+}
