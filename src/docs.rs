@@ -11,7 +11,7 @@ use axum::routing::get;
 use utoipa_swagger_ui::{Config, serve};
 
 use crate::app::Service;
-use crate::extract::Name;
+use crate::paths::Name;
 use crate::problem::Problem;
 use crate::wire::shortened;
 

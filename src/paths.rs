@@ -1,9 +1,28 @@
-//! The paths of the service, as its contract has them: what may be done at each, and which one was probably meant.
+//! The paths of the service, as its contract has them: what may be done at each, which one was probably meant, and the
+//! names in them.
 
 use std::sync::LazyLock;
 
+use axum::extract::{FromRequestParts, Path};
+use axum::http::request::Parts;
+
 use crate::openapi;
+use crate::problem::Problem;
 use crate::wire::nearest;
+
+/// A name in a path.
+pub(crate) struct Name(pub(crate) String);
+
+impl<S: Sync> FromRequestParts<S> for Name {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        match Path::<String>::from_request_parts(parts, &()).await {
+            Ok(Path(name)) => Ok(Self(name)),
+            Err(_) => Err(Problem::NotFound("nothing has that name, which is not UTF-8".into())),
+        }
+    }
+}
 
 /// A path with its methods.
 struct Known {
