@@ -10,7 +10,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use utoipa_swagger_ui::{Config, serve};
 
-use crate::extract::Name;
+use crate::name::Name;
 use crate::problem::Problem;
 use crate::state::Service;
 use crate::wire::shortened;

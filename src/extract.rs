@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use axum::body::{Body, to_bytes};
-use axum::extract::{FromRequest, FromRequestParts, Path};
+use axum::extract::{FromRequest, FromRequestParts};
 use axum::http::header::{ACCEPT, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, Request, Uri};
@@ -149,20 +149,6 @@ fn is_utf_8(declared: &str) -> bool {
         let charset = charset.trim().trim_matches('"');
         ["utf-8", "utf8", "us-ascii"].iter().any(|known| charset.eq_ignore_ascii_case(known))
     })
-}
-
-/// A name in a path.
-pub(crate) struct Name(pub(crate) String);
-
-impl<S: Sync> FromRequestParts<S> for Name {
-    type Rejection = Problem;
-
-    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
-        match Path::<String>::from_request_parts(parts, &()).await {
-            Ok(Path(name)) => Ok(Self(name)),
-            Err(_) => Err(Problem::NotFound("nothing has that name, which is not UTF-8".into())),
-        }
-    }
 }
 
 /// The format of an answer that has columns.

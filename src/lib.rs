@@ -14,6 +14,7 @@ mod extract;
 mod http1;
 pub mod log;
 mod metrics;
+mod name;
 mod observe;
 mod page;
 mod problem;

@@ -10,7 +10,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use rust_embed::{Embed, EmbeddedFile};
 
-use crate::extract::Name;
+use crate::name::Name;
 use crate::problem::Problem;
 use crate::state::Service;
 use crate::wire::shortened;
