@@ -10,6 +10,7 @@ use axum::middleware;
 use axum::response::{IntoResponse, Response};
 use tower_http::catch_panic::CatchPanicLayer;
 
+use crate::budget::Budget;
 use crate::compute::Pool;
 use crate::metrics::Metrics;
 use crate::problem::Problem;
@@ -20,6 +21,10 @@ use crate::{docs, observe, openapi, page, paths};
 pub struct Limits {
     /// Largest request body (bytes).
     pub body: usize,
+    /// Memory for the bodies of all requests that arrive (bytes).
+    pub bodies: usize,
+    /// Memory for all answers that wait to be taken (bytes).
+    pub answers: usize,
     /// Time in which a request body has to arrive.
     pub body_deadline: Duration,
     /// Time in which a long computation has to end.
@@ -38,6 +43,8 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             body: 1 << 20,
+            bodies: 32 << 20,
+            answers: 32 << 20,
             body_deadline: Duration::from_secs(10),
             compute_deadline: Duration::from_secs(30),
             compute_places: 64,
@@ -56,6 +63,8 @@ pub struct Service(Arc<Shared>);
 struct Shared {
     limits: Limits,
     pool: Pool,
+    bodies: Budget,
+    answers: Budget,
     metrics: Metrics,
     stopping: AtomicBool,
 }
@@ -65,8 +74,9 @@ impl Service {
     #[must_use]
     pub fn new(limits: Limits) -> Self {
         let pool = Pool::new(limits.compute_places, limits.stream_places, limits.compute_deadline);
-        let metrics = Metrics::new(&pool);
-        Self(Arc::new(Shared { limits, pool, metrics, stopping: AtomicBool::new(false) }))
+        let (bodies, answers) = (Budget::new(limits.bodies), Budget::new(limits.answers));
+        let metrics = Metrics::new(&pool, &bodies, &answers);
+        Self(Arc::new(Shared { limits, pool, bodies, answers, metrics, stopping: AtomicBool::new(false) }))
     }
 
     /// From now on the service is not ready.
@@ -84,6 +94,16 @@ impl Service {
 
     pub(crate) fn pool(&self) -> &Pool {
         &self.0.pool
+    }
+
+    /// Memory for bodies that are read whole.
+    pub(crate) fn bodies(&self) -> &Budget {
+        &self.0.bodies
+    }
+
+    /// Memory for large answers.
+    pub(crate) fn answers(&self) -> &Budget {
+        &self.0.answers
     }
 
     /// The counters of the service.

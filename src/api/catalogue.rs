@@ -10,8 +10,8 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::responses::{InvalidQuery, Limits, UnknownName};
+use crate::answer::{csv_text, json, json_text};
 use crate::catalogue::{self, SoilView, WheelView};
-use crate::compute::{csv_text, json, json_text};
 use crate::extract::{Asked, Format, FormatParameter, NoQuery};
 use crate::problem::Problem;
 use crate::request::{SoilsDto, WheelsDto};

@@ -4,8 +4,9 @@ use axum::extract::State;
 use axum::response::Response;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
+use crate::answer::written;
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::Cost;
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ForcesReply;

@@ -7,8 +7,9 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::responses::Limits;
+use crate::answer::{json, json_text};
 use crate::app::Service;
-use crate::compute::{Cost, json, json_text};
+use crate::compute::Cost;
 use crate::openapi;
 use crate::problem::Problem;
 

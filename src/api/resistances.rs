@@ -5,8 +5,9 @@ use axum::response::Response;
 use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
+use crate::answer::written;
 use crate::app::Service;
-use crate::compute::{Cost, written};
+use crate::compute::Cost;
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ResistancesReply;

@@ -10,8 +10,9 @@ use utoipa::ToSchema;
 
 use super::catalogue::unknown;
 use super::responses::{InvalidQuery, Limits, UnknownName};
+use crate::answer::{json_text, written};
 use crate::app::Service;
-use crate::compute::{Cost, json_text, written};
+use crate::compute::Cost;
 use crate::extract::{AskedFormat, FormatParameter, NoQuery};
 use crate::problem::Problem;
 use crate::reply::ValidationSet;

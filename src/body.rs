@@ -1,0 +1,142 @@
+//! Bodies that are read whole, within a time and a memory.
+
+use axum::body::{Body, Bytes, HttpBody};
+use http_body_util::BodyExt;
+
+use crate::app::Service;
+use crate::budget::{Budget, Share};
+use crate::problem::Problem;
+use crate::server::TooSlow;
+
+/// What a body may have without a share of the budget (bytes): most have less, and get in even where large ones took it all.
+const SMALL: usize = 16 << 10;
+
+/// A body that was read, with its share of the budget.
+pub(crate) struct Text {
+    pub(crate) bytes: Bytes,
+    _share: Option<Share>,
+}
+
+/// The whole of a body, of which `declared` bytes are to come if its head says so.
+///
+/// # Errors
+/// [`Problem::TooLarge`], [`Problem::SlowBody`], [`Problem::BrokenBody`], and [`Problem::Crowded`] where the bodies of others
+/// leave too little memory. To wait for it would not help: those that hold a part of it might wait as well.
+pub(crate) async fn read(body: Body, declared: Option<usize>, service: &Service) -> Result<Text, Problem> {
+    let (limit, deadline) = (service.limits().body, service.limits().body_deadline);
+    if declared.is_some_and(|length| length > limit) {
+        return Err(Problem::TooLarge { limit });
+    }
+    let reading = collected(body, declared, limit, service.bodies());
+    tokio::time::timeout(deadline, reading).await.unwrap_or(Err(Problem::SlowBody(deadline)))
+}
+
+async fn collected(mut body: Body, declared: Option<usize>, limit: usize, budget: &Budget) -> Result<Text, Problem> {
+    let mut bytes = Vec::new();
+    let mut share = None;
+    while let Some(frame) = body.frame().await {
+        let Ok(data) = frame.map_err(|error| problem(&error))?.into_data() else { continue };
+        if data.len() > limit - bytes.len() {
+            return Err(Problem::TooLarge { limit });
+        }
+        if bytes.is_empty() && data.len() <= SMALL && body.is_end_stream() {
+            return Ok(Text { bytes: data, _share: None });
+        }
+        make_room(&mut bytes, data.len(), declared.unwrap_or(limit), &mut share, budget)?;
+        bytes.extend_from_slice(&data);
+    }
+    Ok(Text { bytes: bytes.into(), _share: share })
+}
+
+/// Makes room for `more` bytes, twice the room there is where more than `more` may come, but not for more than `most` in all.
+fn make_room(bytes: &mut Vec<u8>, more: usize, most: usize, share: &mut Option<Share>, budget: &Budget) -> Result<(), Problem> {
+    let needed = bytes.len() + more;
+    if needed <= bytes.capacity() {
+        return Ok(());
+    }
+    let room = needed.max((2 * bytes.capacity()).min(most));
+    if room > SMALL {
+        let held = if share.is_some() { bytes.capacity() } else { 0 };
+        let another = budget.share(room - held).ok_or(Problem::Crowded)?;
+        match share {
+            Some(share) => share.add(another),
+            None => *share = Some(another),
+        }
+    }
+    bytes.reserve_exact(room - bytes.len());
+    Ok(())
+}
+
+/// Why a body could not be received.
+pub(crate) fn problem(error: &axum::Error) -> Problem {
+    match std::error::Error::source(error).and_then(|cause| cause.downcast_ref()) {
+        Some(TooSlow(slowest)) => Problem::Crawling(*slowest),
+        None => Problem::BrokenBody,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::convert::Infallible;
+
+    use super::*;
+
+    const LIMIT: usize = 1 << 20;
+
+    fn in_pieces(whole: &'static [u8], piece: usize) -> Body {
+        let (mut sender, receiver) = http_body_util::channel::Channel::<Bytes, Infallible>::new(1);
+        tokio::spawn(async move {
+            for piece in whole.chunks(piece) {
+                if sender.send_data(Bytes::from_static(piece)).await.is_err() {
+                    return;
+                }
+            }
+        });
+        Body::new(receiver)
+    }
+
+    #[track_caller]
+    fn collect(whole: &'static [u8], piece: usize, declared: Option<usize>, budget: &Budget) -> Result<Text, Problem> {
+        let runtime = tokio::runtime::Builder::new_current_thread().build().expect("a runtime");
+        runtime.block_on(async { collected(in_pieces(whole, piece), declared, LIMIT, budget).await })
+    }
+
+    static WHOLE: [u8; LIMIT] = {
+        let mut whole = [0; LIMIT];
+        let mut i = 0;
+        while i < LIMIT {
+            whole[i] = (i % 251) as u8;
+            i += 1;
+        }
+        whole
+    };
+
+    #[test]
+    fn a_body_in_pieces_comes_whole_and_gives_its_share_back() {
+        for (length, piece) in [(0, 1), (100, 100), (100, 7), (SMALL, 1000), (SMALL + 1, 1000), (LIMIT, 30_000), (LIMIT, LIMIT)] {
+            for declared in [None, Some(length)] {
+                let budget = Budget::new(2 * LIMIT);
+                let text = collect(&WHOLE[..length], piece, declared, &budget).expect("a body");
+                assert_eq!(text.bytes, WHOLE[..length]);
+                let taken = 2 * LIMIT - budget.free();
+                assert!(if length > SMALL { taken >= length } else { taken == 0 }, "{length} in {piece}: {taken}");
+                drop(text);
+                assert_eq!(budget.free(), 2 * LIMIT);
+            }
+        }
+    }
+
+    #[test]
+    fn a_body_that_finds_no_memory_is_refused_unless_it_is_small() {
+        let budget = Budget::new(LIMIT);
+        let _all = budget.share(LIMIT);
+        assert_eq!(collect(&WHOLE, 30_000, None, &budget).err(), Some(Problem::Crowded));
+        assert!(collect(&WHOLE[..SMALL], 1000, Some(SMALL), &budget).is_ok());
+    }
+
+    #[test]
+    fn a_body_without_a_length_is_taken_up_to_the_limit() {
+        let too_long: &'static [u8] = vec![0; LIMIT + 1].leak();
+        assert_eq!(collect(too_long, 1000, None, &Budget::new(2 * LIMIT)).err(), Some(Problem::TooLarge { limit: LIMIT }));
+    }
+}
