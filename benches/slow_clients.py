@@ -150,7 +150,7 @@ def run(name, address, pid, count, seconds):
         clients.turn(0.05)
         if time.monotonic() - looked > 0.2:
             looked, peak = time.monotonic(), max(peak, memory(pid))
-    taken, failed = results.get()
+    taken, failed = results.get(timeout=30)
     prober.join()
     left, closed = len(clients.open), sorted(clients.closed)
     clients.end()

@@ -117,6 +117,16 @@ impl io::Write for Writer {
         Ok(bytes.len())
     }
 
+    fn write_all(&mut self, mut bytes: &[u8]) -> io::Result<()> {
+        // Nearly always at once: an answer is written in bits of a few bytes.
+        while self.piece.len() + bytes.len() > PIECE {
+            let written = self.write(bytes)?;
+            bytes = &bytes[written..];
+        }
+        self.piece.extend_from_slice(bytes);
+        Ok(())
+    }
+
     fn flush(&mut self) -> io::Result<()> {
         Ok(())
     }

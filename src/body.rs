@@ -2,6 +2,7 @@
 
 use axum::body::{Body, Bytes, HttpBody};
 use http_body_util::BodyExt;
+use tokio::time::Instant;
 
 use crate::app::Service;
 use crate::budget::{Budget, Share};
@@ -21,50 +22,38 @@ pub(crate) struct Text {
 ///
 /// # Errors
 /// [`Problem::TooLarge`], [`Problem::SlowBody`], [`Problem::BrokenBody`], and [`Problem::Crowded`] where the bodies of others
-/// leave too little memory. To wait for it would not help: those that hold a part of it might wait as well.
+/// left too little memory for all of the time in which this one had to arrive.
 pub(crate) async fn read(body: Body, declared: Option<usize>, service: &Service) -> Result<Text, Problem> {
-    let (limit, deadline) = (service.limits().body, service.limits().body_deadline);
+    let (limit, time) = (service.limits().body, service.limits().body_deadline);
     if declared.is_some_and(|length| length > limit) {
         return Err(Problem::TooLarge { limit });
     }
-    let reading = collected(body, declared, limit, service.bodies());
-    tokio::time::timeout(deadline, reading).await.unwrap_or(Err(Problem::SlowBody(deadline)))
+    let deadline = Instant::now() + time;
+    let reading = collected(body, declared.unwrap_or(limit), service.bodies(), deadline);
+    tokio::time::timeout_at(deadline, reading).await.unwrap_or(Err(Problem::SlowBody(time)))
 }
 
-async fn collected(mut body: Body, declared: Option<usize>, limit: usize, budget: &Budget) -> Result<Text, Problem> {
+/// The whole of a body of at most so many bytes. A large one takes its share for all of them as soon as it is known to be large:
+/// bodies that waited for more while they hold a part could keep each other waiting.
+async fn collected(mut body: Body, most: usize, budget: &Budget, deadline: Instant) -> Result<Text, Problem> {
     let mut bytes = Vec::new();
     let mut share = None;
     while let Some(frame) = body.frame().await {
         let Ok(data) = frame.map_err(|error| problem(&error))?.into_data() else { continue };
-        if data.len() > limit - bytes.len() {
-            return Err(Problem::TooLarge { limit });
+        let length = bytes.len() + data.len();
+        if length > most {
+            return Err(Problem::TooLarge { limit: most });
         }
-        if bytes.is_empty() && data.len() <= SMALL && body.is_end_stream() {
+        if length > SMALL && share.is_none() {
+            let waiting = tokio::time::timeout_at(deadline, budget.share_when_free(most));
+            share = Some(waiting.await.map_err(|_| Problem::Crowded)?);
+            bytes.reserve_exact(most - bytes.len());
+        } else if bytes.is_empty() && body.is_end_stream() {
             return Ok(Text { bytes: data, _share: None });
         }
-        make_room(&mut bytes, data.len(), declared.unwrap_or(limit), &mut share, budget)?;
         bytes.extend_from_slice(&data);
     }
     Ok(Text { bytes: bytes.into(), _share: share })
-}
-
-/// Makes room for `more` bytes, twice the room there is where more than `more` may come, but not for more than `most` in all.
-fn make_room(bytes: &mut Vec<u8>, more: usize, most: usize, share: &mut Option<Share>, budget: &Budget) -> Result<(), Problem> {
-    let needed = bytes.len() + more;
-    if needed <= bytes.capacity() {
-        return Ok(());
-    }
-    let room = needed.max((2 * bytes.capacity()).min(most));
-    if room > SMALL {
-        let held = if share.is_some() { bytes.capacity() } else { 0 };
-        let another = budget.share(room - held).ok_or(Problem::Crowded)?;
-        match share {
-            Some(share) => share.add(another),
-            None => *share = Some(another),
-        }
-    }
-    bytes.reserve_exact(room - bytes.len());
-    Ok(())
 }
 
 /// Why a body could not be received.
@@ -78,6 +67,7 @@ pub(crate) fn problem(error: &axum::Error) -> Problem {
 #[cfg(test)]
 mod tests {
     use std::convert::Infallible;
+    use std::time::Duration;
 
     use super::*;
 
@@ -95,10 +85,12 @@ mod tests {
         Body::new(receiver)
     }
 
-    #[track_caller]
-    fn collect(whole: &'static [u8], piece: usize, declared: Option<usize>, budget: &Budget) -> Result<Text, Problem> {
-        let runtime = tokio::runtime::Builder::new_current_thread().build().expect("a runtime");
-        runtime.block_on(async { collected(in_pieces(whole, piece), declared, LIMIT, budget).await })
+    fn collect(whole: &'static [u8], piece: usize, most: usize, budget: &Budget) -> Result<Text, Problem> {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_time().build().expect("a runtime");
+        runtime.block_on(async {
+            let deadline = Instant::now() + Duration::from_millis(50);
+            collected(in_pieces(whole, piece), most, budget, deadline).await
+        })
     }
 
     static WHOLE: [u8; LIMIT] = {
@@ -114,12 +106,12 @@ mod tests {
     #[test]
     fn a_body_in_pieces_comes_whole_and_gives_its_share_back() {
         for (length, piece) in [(0, 1), (100, 100), (100, 7), (SMALL, 1000), (SMALL + 1, 1000), (LIMIT, 30_000), (LIMIT, LIMIT)] {
-            for declared in [None, Some(length)] {
+            for most in [LIMIT, length] {
                 let budget = Budget::new(2 * LIMIT);
-                let text = collect(&WHOLE[..length], piece, declared, &budget).expect("a body");
+                let text = collect(&WHOLE[..length], piece, most, &budget).expect("a body");
                 assert_eq!(text.bytes, WHOLE[..length]);
                 let taken = 2 * LIMIT - budget.free();
-                assert!(if length > SMALL { taken >= length } else { taken == 0 }, "{length} in {piece}: {taken}");
+                assert!(if length > SMALL { taken >= most } else { taken == 0 }, "{length} in {piece}: {taken}");
                 drop(text);
                 assert_eq!(budget.free(), 2 * LIMIT);
             }
@@ -130,13 +122,13 @@ mod tests {
     fn a_body_that_finds_no_memory_is_refused_unless_it_is_small() {
         let budget = Budget::new(LIMIT);
         let _all = budget.share(LIMIT);
-        assert_eq!(collect(&WHOLE, 30_000, None, &budget).err(), Some(Problem::Crowded));
-        assert!(collect(&WHOLE[..SMALL], 1000, Some(SMALL), &budget).is_ok());
+        assert_eq!(collect(&WHOLE, 30_000, LIMIT, &budget).err(), Some(Problem::Crowded));
+        assert!(collect(&WHOLE[..SMALL], 1000, LIMIT, &budget).is_ok());
     }
 
     #[test]
     fn a_body_without_a_length_is_taken_up_to_the_limit() {
         let too_long: &'static [u8] = vec![0; LIMIT + 1].leak();
-        assert_eq!(collect(too_long, 1000, None, &Budget::new(2 * LIMIT)).err(), Some(Problem::TooLarge { limit: LIMIT }));
+        assert_eq!(collect(too_long, 1000, LIMIT, &Budget::new(2 * LIMIT)).err(), Some(Problem::TooLarge { limit: LIMIT }));
     }
 }

@@ -20,7 +20,7 @@ pub(crate) struct Share(OwnedSemaphorePermit);
 
 impl Budget {
     pub(crate) fn new(bytes: usize) -> Self {
-        let units = (bytes / UNIT).clamp(1, Semaphore::MAX_PERMITS);
+        let units = (bytes / UNIT).clamp(1, u32::MAX as usize);
         Self { free: Arc::new(Semaphore::new(units)), units }
     }
 
@@ -31,8 +31,20 @@ impl Budget {
 
     /// A share for `bytes`, if it is free. What is larger than the whole budget takes all of it.
     pub(crate) fn share(&self, bytes: usize) -> Option<Share> {
-        let units = u32::try_from(bytes.div_ceil(UNIT).min(self.units)).ok()?;
-        self.free.clone().try_acquire_many_owned(units).ok().map(Share)
+        self.free.clone().try_acquire_many_owned(self.units_for(bytes)).ok().map(Share)
+    }
+
+    /// A share for `bytes` once it is free, in the order of asking.
+    pub(crate) async fn share_when_free(&self, bytes: usize) -> Share {
+        match self.free.clone().acquire_many_owned(self.units_for(bytes)).await {
+            Ok(permit) => Share(permit),
+            // Only a semaphore that was closed refuses, and this one never is.
+            Err(_) => std::future::pending().await,
+        }
+    }
+
+    fn units_for(&self, bytes: usize) -> u32 {
+        u32::try_from(bytes.div_ceil(UNIT).min(self.units)).unwrap_or(u32::MAX)
     }
 }
 
@@ -41,11 +53,6 @@ impl Share {
     pub(crate) fn split(&mut self, bytes: usize) -> Option<Self> {
         let units = bytes.div_ceil(UNIT).min(self.0.num_permits());
         if units == 0 { None } else { self.0.split(units).map(Self) }
-    }
-
-    /// Adds another share of the same budget.
-    pub(crate) fn add(&mut self, other: Self) {
-        self.0.merge(other.0);
     }
 }
 
@@ -58,11 +65,13 @@ mod tests {
         let budget = Budget::new(10 << 10);
         let mut one = budget.share(4000).expect("4 of 10");
         assert!(budget.share(7000).is_none());
-        one.add(budget.share(6000).expect("6 of 6"));
+        let other = budget.share(6000).expect("6 of 6");
         assert_eq!(budget.free(), 0);
         drop(one.split(3000));
         assert_eq!(budget.free(), 3 << 10);
-        drop(one);
+        let rest = one.split(3000);
+        assert!(rest.is_some() && one.split(1).is_none(), "one of four was left");
+        drop((rest, other));
         assert_eq!(budget.free(), 10 << 10);
     }
 

@@ -11,9 +11,9 @@ use terramechanics_server::server::{listen, serve, told_to_stop};
 use terramechanics_server::{Service, app, openapi_text};
 use tracing_subscriber::EnvFilter;
 
-/// Steadier memory under load than the system's allocator.
+/// Gives memory back to the system some seconds after a load, from a thread of its own.
 #[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+static ALLOCATOR: tikv_jemallocator::Jemalloc = tikv_jemallocator::Jemalloc;
 
 fn main() -> ExitCode {
     let config = Config::parse();

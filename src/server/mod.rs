@@ -217,7 +217,7 @@ async fn take_until(end: impl Future<Output = ()>, listener: &TcpListener, place
 /// Gives a connection a place and a task, or closes it where there is none.
 fn take(stream: TcpStream, peer: Peer, places: &Arc<Places>, shared: &Shared) {
     let Some(link) = places.admit(peer) else {
-        tracing::debug!(?peer, "there was no place for a connection");
+        tracing::debug!(%peer, "there was no place for a connection");
         shared.service.metrics().connected();
         return shared.service.metrics().disconnected(Reason::NoPlace);
     };
@@ -252,7 +252,7 @@ impl Drop for Open {
     fn drop(&mut self) {
         self.places.leave(&self.link);
         let reason = self.link.reason().unwrap_or(Reason::Broken);
-        tracing::debug!(peer = ?self.link.peer, reason = reason.name(), "a connection was closed");
+        tracing::debug!(peer = %self.link.peer, reason = reason.name(), "a connection was closed");
         self.service.metrics().disconnected(reason);
     }
 }

@@ -1,6 +1,7 @@
 //! Who is at the other end, as far as places are shared out.
 
-use std::net::IpAddr;
+use std::fmt;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr};
 
 /// The address of a client: one of IPv4, or the 64 bits of IPv6 that a client has to itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -14,6 +15,15 @@ impl Peer {
         match address.to_canonical() {
             IpAddr::V4(address) => Self::V4(address.to_bits()),
             IpAddr::V6(address) => Self::V6((address.to_bits() >> 64) as u64),
+        }
+    }
+}
+
+impl fmt::Display for Peer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::V4(address) => write!(f, "{}", Ipv4Addr::from_bits(address)),
+            Self::V6(network) => write!(f, "{}/64", Ipv6Addr::from_bits(u128::from(network) << 64)),
         }
     }
 }
@@ -32,5 +42,7 @@ mod tests {
         assert_eq!(peer("192.0.2.1"), peer("::ffff:192.0.2.1"));
         assert_eq!(peer("2001:db8::1"), peer("2001:db8::2:1"));
         assert_ne!(peer("2001:db8::1"), peer("2001:db8:0:1::1"));
+        assert_eq!(peer("192.0.2.1").to_string(), "192.0.2.1");
+        assert_eq!(peer("2001:db8::2:1").to_string(), "2001:db8::/64");
     }
 }
