@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::server::{Bounds, Slowest};
 use crate::state::Limits;
 
 /// Forces of a wheel on soil, over HTTP: an API and a plotting page.
@@ -73,13 +74,44 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_COMPUTE_TIMEOUT", default_value_t = 30, value_parser = seconds(), value_name = "SECONDS")]
     pub compute_timeout: u64,
 
-    /// Seconds in which the head, and then the body, of a request have to arrive.
+    /// Seconds in which the head, from its first byte on, and then the body of a request have to arrive.
     #[arg(long, env = "TERRAMECHANICS_READ_TIMEOUT", default_value_t = 10, value_parser = seconds(), value_name = "SECONDS")]
     pub read_timeout: u64,
+
+    /// Seconds for which a connection is kept after an answer; longer than a proxy in front keeps its own (nginx: 60).
+    #[arg(long, env = "TERRAMECHANICS_KEEP_ALIVE", default_value_t = 75, value_parser = seconds(), value_name = "SECONDS")]
+    pub keep_alive: u64,
+
+    /// Seconds after which a connection is closed whose client takes nothing of an answer.
+    #[arg(long, env = "TERRAMECHANICS_WRITE_TIMEOUT", default_value_t = 10, value_parser = seconds(), value_name = "SECONDS")]
+    pub write_timeout: u64,
+
+    /// Bytes a second that a client has to take of an answer that waits for it, as a mean over --rate-window; 0 bears any.
+    #[arg(long, env = "TERRAMECHANICS_MIN_DOWNLOAD_RATE", default_value_t = 1024, value_name = "BYTES")]
+    pub min_download_rate: u32,
+
+    /// Bytes a second that a client has to send of a body, a stream too, while it is waited for, as a mean over --rate-window;
+    /// 0 bears any. A row of 20 bytes a second is well above the default.
+    #[arg(long, env = "TERRAMECHANICS_MIN_UPLOAD_RATE", default_value_t = 5, value_name = "BYTES")]
+    pub min_upload_rate: u32,
+
+    /// Seconds of waiting over which the rates are taken.
+    #[arg(long, env = "TERRAMECHANICS_RATE_WINDOW", default_value_t = 30, value_parser = seconds(), value_name = "SECONDS")]
+    pub rate_window: u64,
 
     /// Largest request body in bytes.
     #[arg(long, env = "TERRAMECHANICS_BODY_LIMIT", default_value_t = 1 << 20, value_parser = clap::value_parser!(u32).range(1024..=64 << 20), value_name = "BYTES")]
     pub body_limit: u32,
+
+    /// Bytes of memory for all bodies that arrive, one at the least; beyond that the answer is 503. Bodies up to 16 KiB do not
+    /// count, nor do streams.
+    #[arg(long, env = "TERRAMECHANICS_BODY_MEMORY", default_value_t = 32 << 20, value_parser = memory(), value_name = "BYTES")]
+    pub body_memory: u64,
+
+    /// Bytes of memory for all answers that wait to be taken, one at the least; beyond that the answer is 503. Answers up to
+    /// 64 KiB do not count, nor do streams.
+    #[arg(long, env = "TERRAMECHANICS_ANSWER_MEMORY", default_value_t = 32 << 20, value_parser = memory(), value_name = "BYTES")]
+    pub answer_memory: u64,
 
     /// Streams that may be open; beyond that the answer is 503.
     #[arg(long, env = "TERRAMECHANICS_STREAM_PLACES", default_value_t = 64, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
@@ -93,9 +125,20 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_STREAM_TIMEOUT", default_value_t = 3600, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "SECONDS")]
     pub stream_timeout: u64,
 
-    /// Connections that may be open at once; more wait to be accepted.
+    /// Connections that may be open at once. One more takes the place of one that waits for a request; where there is none, it
+    /// has one of 16 places of a reserve, where only /healthz, /readyz and /metrics are answered, all else with 503.
     #[arg(long, env = "TERRAMECHANICS_MAX_CONNECTIONS", default_value_t = 1024, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
     pub max_connections: u16,
+
+    /// Connections that one address (IPv6: /64 network) may have of them; one more takes the place of its own. Half of them
+    /// unless given. Behind a proxy all clients have one address: give as many as --max-connections.
+    #[arg(long, env = "TERRAMECHANICS_MAX_CONNECTIONS_PER_PEER", value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
+    pub max_connections_per_peer: Option<u16>,
+
+    /// Seconds for which, once it is told to stop, the server still takes connections while /readyz says 503: as long as a
+    /// load balancer needs to notice.
+    #[arg(long, env = "TERRAMECHANICS_DRAIN_DELAY", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=3600), value_name = "SECONDS")]
+    pub drain_delay: u64,
 
     /// Seconds that open requests are given to end when the server stops.
     #[arg(long, env = "TERRAMECHANICS_GRACE", default_value_t = 10, value_parser = seconds(), value_name = "SECONDS")]
@@ -117,6 +160,8 @@ impl Serve {
     pub fn limits(&self) -> Limits {
         Limits {
             body: self.body_limit as usize,
+            bodies: usize::try_from(self.body_memory).unwrap_or(usize::MAX).max(self.body_limit as usize + (64 << 10)),
+            answers: usize::try_from(self.answer_memory).unwrap_or(usize::MAX),
             body_deadline: Duration::from_secs(self.read_timeout),
             compute_deadline: Duration::from_secs(self.compute_timeout),
             compute_threads: self.compute_threads,
@@ -125,6 +170,23 @@ impl Serve {
             stream_places: usize::from(self.stream_places),
             stream_idle: Duration::from_secs(self.stream_idle_timeout),
             stream_deadline: Duration::from_secs(self.stream_timeout),
+        }
+    }
+
+    /// The bounds of the accept loop.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        let window = Duration::from_secs(self.rate_window);
+        Bounds {
+            connections: usize::from(self.max_connections),
+            of_one_peer: usize::from(self.max_connections_per_peer.unwrap_or(self.max_connections.div_ceil(2))),
+            head_deadline: Duration::from_secs(self.read_timeout),
+            keep_alive: Duration::from_secs(self.keep_alive),
+            write_deadline: Duration::from_secs(self.write_timeout),
+            slowest_download: Slowest { rate: self.min_download_rate, window },
+            slowest_upload: Slowest { rate: self.min_upload_rate, window },
+            drain_delay: Duration::from_secs(self.drain_delay),
+            grace: Duration::from_secs(self.grace),
         }
     }
 }
@@ -138,6 +200,10 @@ fn threads(text: &str) -> Result<usize, String> {
         Ok(threads @ 1..=256) => Ok(threads),
         _ => Err("must be a whole number from 1 to 256".into()),
     }
+}
+
+fn memory() -> clap::builder::RangedU64ValueParser {
+    clap::builder::RangedU64ValueParser::new().range(64 << 10..=1 << 40)
 }
 
 fn seconds() -> clap::builder::RangedU64ValueParser {

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use axum::body::{Body, to_bytes};
+use axum::body::Body;
 use axum::extract::{FromRequest, FromRequestParts};
 use axum::http::header::{ACCEPT, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::http::request::Parts;
@@ -10,6 +10,7 @@ use axum::http::{HeaderMap, Request, Uri};
 use utoipa::IntoParams;
 use utoipa::openapi::path::{Parameter, ParameterIn};
 
+use crate::body;
 use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::request::{self, checked};
@@ -26,19 +27,9 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
         if !is_json(request.headers()) {
             return Err(Problem::NotJsonType);
         }
-        let limit = service.limits().body;
         let declared = request.headers().get(CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse::<usize>().ok());
-        if declared.is_some_and(|length| length > limit) {
-            return Err(Problem::TooLarge { limit });
-        }
-        let deadline = service.limits().body_deadline;
-        let body = match tokio::time::timeout(deadline, to_bytes(request.into_body(), limit)).await {
-            Err(_) => return Err(Problem::SlowBody(deadline)),
-            Ok(Err(error)) if is_length_limit(&error) => return Err(Problem::TooLarge { limit }),
-            Ok(Err(_)) => return Err(Problem::BrokenBody),
-            Ok(Ok(body)) => body,
-        };
-        service.pool().run(Cost::of_body(body.len()), move |_| query::<R>(&body)).await.map(Self)
+        let body = body::read(request.into_body(), declared, service).await?;
+        service.pool().run(Cost::of_body(body.bytes.len()), move |_| query::<R>(&body.bytes)).await.map(Self)
     }
 }
 
@@ -125,10 +116,6 @@ fn query<R: request::Request>(body: &[u8]) -> Result<R::Query, Problem> {
         column: error.column(),
     })?;
     checked(&field).map_err(Problem::Invalid)
-}
-
-fn is_length_limit(error: &axum::Error) -> bool {
-    std::error::Error::source(error).is_some_and(|cause| cause.is::<http_body_util::LengthLimitError>())
 }
 
 /// Whether the body is declared as `application/json` or another type with the suffix `+json`.

@@ -3,7 +3,10 @@
 //! The way of a request: bytes → `extract` → a request object of `request`, which checks everything and reports every
 //! fault → the model → a reply of `reply` → bytes. Physics live in the crate `terramechanics`, HTTP here.
 
+mod answer;
 mod api;
+mod body;
+mod budget;
 mod catalogue;
 mod coding;
 mod compute;

@@ -8,13 +8,12 @@ use std::time::Duration;
 use clap::Parser;
 use terramechanics_server::config::{Command, Config, Serve, check_environment};
 use terramechanics_server::log::Log;
-use terramechanics_server::server::{Bounds, serve, told_to_stop};
+use terramechanics_server::server::{listen, serve, told_to_stop};
 use terramechanics_server::{Service, app, contract};
-use tokio::net::TcpListener;
 
-/// Steadier memory under load than the system's allocator.
+/// Gives memory back to the system some seconds after a load, from a thread of its own.
 #[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+static ALLOCATOR: tikv_jemallocator::Jemalloc = tikv_jemallocator::Jemalloc;
 
 fn main() -> ExitCode {
     let config = Config::parse();
@@ -41,30 +40,23 @@ fn run(settings: &Serve) -> Result<(), String> {
         .enable_all()
         .build()
         .map_err(|error| format!("no runtime: {error}"))?;
-    runtime.block_on(async {
-        let listener =
-            TcpListener::bind(settings.listen).await.map_err(|error| format!("cannot listen on {}: {error}", settings.listen))?;
+    let cut_off = runtime.block_on(async {
+        let listener = listen(settings.listen).map_err(|error| format!("cannot listen on {}: {error}", settings.listen))?;
         let address = listener.local_addr().map_err(|error| error.to_string())?;
         let stop = told_to_stop().map_err(|error| format!("cannot listen for signals: {error}"))?;
         let service = Service::new(settings.limits());
         let app = app(service.clone());
-        let bounds = Bounds {
-            connections: usize::from(settings.max_connections),
-            head_deadline: Duration::from_secs(settings.read_timeout),
-            grace: Duration::from_secs(settings.grace),
-        };
         // Nothing waits for whoever reads the output.
         std::thread::spawn(move || {
             writeln!(std::io::stdout(), "The page is at http://{address}/, the API explorer at http://{address}/docs")
         });
         tracing::info!(%address, version = env!("CARGO_PKG_VERSION"), "serving");
-        serve(listener, app, service, bounds, stop).await;
-        Ok::<_, String>(())
+        Ok::<_, String>(serve(listener, app, service, settings.bounds(), stop).await)
     })?;
     // What still computes is bounded, but nobody waits for it any more.
     runtime.shutdown_background();
     tracing::info!("stopped");
-    Ok(())
+    if cut_off == 0 { Ok(()) } else { Err(format!("{cut_off} requests did not end in time and were cut off")) }
 }
 
 /// Asks the server at `listen` whether it is ready.

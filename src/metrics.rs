@@ -10,8 +10,10 @@ use prometheus_client::metrics::gauge::Gauge;
 use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
 use prometheus_client::registry::{Registry, Unit};
 
+use crate::budget::Budget;
 use crate::compute::Pool;
 use crate::log;
+use crate::server::Reason;
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
 struct RequestLabels {
@@ -20,15 +22,25 @@ struct RequestLabels {
     status: u16,
 }
 
+#[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct ClosedLabels {
+    reason: &'static str,
+}
+
 /// The counters of the service.
 pub struct Metrics {
     registry: Registry,
     requests: Family<RequestLabels, Counter>,
     durations: Histogram,
     connections: Gauge,
+    closed: Family<ClosedLabels, Counter>,
     places: Gauge,
     stream_places: Gauge,
+    body_memory: Gauge,
+    answer_memory: Gauge,
     pool: Pool,
+    bodies: Budget,
+    answers: Budget,
 }
 
 impl fmt::Debug for Metrics {
@@ -38,18 +50,39 @@ impl fmt::Debug for Metrics {
 }
 
 impl Metrics {
-    pub(crate) fn new(pool: &Pool) -> Self {
+    pub(crate) fn new(pool: &Pool, bodies: &Budget, answers: &Budget) -> Self {
         let mut registry = Registry::default();
         let requests = Family::default();
         let durations = Histogram::new(exponential_buckets(20e-6, 4.0, 9)); // 20 µs to 1.3 s
         let (connections, places, stream_places) = (Gauge::default(), Gauge::default(), Gauge::default());
+        let (body_memory, answer_memory) = (Gauge::default(), Gauge::default());
+        let closed = Family::default();
+        for reason in Reason::ALL {
+            drop(closed.get_or_create(&ClosedLabels { reason: reason.name() }));
+        }
         registry.register("http_requests", "Requests answered", requests.clone());
         registry.register_with_unit("http_request_duration", "Time to an answer", Unit::Seconds, durations.clone());
         registry.register("http_connections", "Open connections", connections.clone());
         registry.register("log_lines_dropped", "Lines of the log that could not be written in time", log::dropped());
+        registry.register("http_connections_closed", "Connections closed, by the reason", closed.clone());
+        registry.register_with_unit("body_memory_free", "Free memory for bodies", Unit::Bytes, body_memory.clone());
+        registry.register_with_unit("answer_memory_free", "Free memory for large answers", Unit::Bytes, answer_memory.clone());
         registry.register("compute_places_free", "Free places for long computations", places.clone());
         registry.register("stream_places_free", "Free places for streams", stream_places.clone());
-        Self { registry, requests, durations, connections, places, stream_places, pool: pool.clone() }
+        Self {
+            registry,
+            requests,
+            durations,
+            connections,
+            closed,
+            places,
+            stream_places,
+            body_memory,
+            answer_memory,
+            pool: pool.clone(),
+            bodies: bodies.clone(),
+            answers: answers.clone(),
+        }
     }
 
     /// A request was answered.
@@ -61,18 +94,24 @@ impl Metrics {
     }
 
     /// A connection was opened.
-    pub fn connected(&self) {
+    pub(crate) fn connected(&self) {
         self.connections.inc();
     }
 
     /// A connection was closed.
-    pub fn disconnected(&self) {
+    pub(crate) fn disconnected(&self, reason: Reason) {
         self.connections.dec();
+        self.closed.get_or_create(&ClosedLabels { reason: reason.name() }).inc();
     }
 
     /// All metrics as text.
     pub(crate) fn text(&self) -> Result<String, fmt::Error> {
-        for (gauge, free) in [(&self.places, self.pool.free_places()), (&self.stream_places, self.pool.free_stream_places())] {
+        for (gauge, free) in [
+            (&self.places, self.pool.free_places()),
+            (&self.stream_places, self.pool.free_stream_places()),
+            (&self.body_memory, self.bodies.free()),
+            (&self.answer_memory, self.answers.free()),
+        ] {
             gauge.set(i64::try_from(free).unwrap_or(i64::MAX));
         }
         let mut text = String::new();

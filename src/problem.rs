@@ -12,6 +12,7 @@ use crate::coding;
 use crate::compute::Stop;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
+use crate::server::Slowest;
 use crate::wire::FieldFault;
 
 /// Why a request has no answer.
@@ -51,10 +52,14 @@ pub(crate) enum Problem {
     Unreadable(SeriesFault),
     /// Nothing of the body arrived, or nothing of the answer was taken, for too long.
     Idle(Duration),
+    /// The body came slower than this.
+    Crawling(Slowest),
     /// The request cannot be computed.
     Invalid(Vec<FieldFault>),
     /// All places for long computations are taken.
     Busy,
+    /// All places for connections are taken, or the memory for large bodies or answers.
+    Crowded,
     /// The answer was not ready in time.
     Late(Duration),
     /// The computation is priced above the limit, or took twice its price.
@@ -113,11 +118,11 @@ impl Problem {
             Self::NotJson { .. } | Self::BrokenBody | Self::Ambiguous(_) | Self::Unreadable(_) => StatusCode::BAD_REQUEST,
             Self::NotFound(_) => StatusCode::NOT_FOUND,
             Self::MethodNotAllowed(_) => StatusCode::METHOD_NOT_ALLOWED,
-            Self::SlowBody(_) | Self::Idle(_) => StatusCode::REQUEST_TIMEOUT,
+            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => StatusCode::REQUEST_TIMEOUT,
             Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
             Self::Invalid(_) | Self::TooCostly { .. } => StatusCode::UNPROCESSABLE_ENTITY,
             Self::UnknownCoding | Self::NotJsonType | Self::NotSeriesType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
-            Self::Busy | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
+            Self::Busy | Self::Crowded | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
             Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
         }
     }
@@ -131,12 +136,12 @@ impl Problem {
             Self::NotFound(_) => ("not-found", "There is nothing here"),
             Self::MethodNotAllowed(_) => ("method-not-allowed", "The method is not allowed here"),
             Self::Unreadable(_) => ("unreadable-series", "The series cannot be read"),
-            Self::SlowBody(_) | Self::Idle(_) => ("slow-body", "The body did not arrive in time"),
+            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => ("slow-body", "The body did not arrive in time"),
             Self::TooLarge { .. } => ("too-large", "The body is too large"),
             Self::NotJsonType => ("unsupported-media-type", "The body has to be JSON"),
             Self::NotSeriesType => ("unsupported-media-type", "The body has to be JSON, CSV or NDJSON in UTF-8"),
             Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
-            Self::Busy => ("busy", "The service is busy"),
+            Self::Busy | Self::Crowded => ("busy", "The service is busy"),
             Self::Late(_) => ("late", "The answer was not ready in time"),
             Self::TooCostly { .. } => ("too-costly", "The computation takes too long"),
             Self::Internal => ("internal", "The service failed"),
@@ -165,12 +170,16 @@ impl Problem {
             }
             Self::Unreadable(fault) => fault.to_string(),
             Self::Idle(limit) => format!("nothing was sent or taken for {} s", limit.as_secs_f64()),
+            Self::Crawling(slowest) => {
+                format!("the body came at less than {} bytes a second over {} s", slowest.rate, slowest.window.as_secs_f64())
+            }
             Self::Invalid(errors) => match errors.as_slice() {
                 [one] if one.pointer.is_empty() => one.detail.clone(),
                 [one] => format!("{}: {}", one.pointer, one.detail),
                 many => format!("{} faults, see errors", many.len()),
             },
             Self::Busy => "all places for long computations are taken, try again soon".into(),
+            Self::Crowded => "too many others are connected, send or read, try again soon".into(),
             Self::Late(limit) => format!("no answer within {} s, try again or ask for fewer points", limit.as_secs_f64()),
             Self::TooCostly { price, limit, spent: false } => format!(
                 "the request is priced at {} s of processor time, and {} s is the most that is taken; ask for fewer points",

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use crate::budget::Budget;
 use crate::compute::{Pool, PoolBounds};
 use crate::metrics::Metrics;
 
@@ -12,6 +13,10 @@ use crate::metrics::Metrics;
 pub struct Limits {
     /// Largest request body (bytes).
     pub body: usize,
+    /// Memory for the bodies of all requests that arrive (bytes).
+    pub bodies: usize,
+    /// Memory for all answers that wait to be taken (bytes).
+    pub answers: usize,
     /// Time in which a request body has to arrive.
     pub body_deadline: Duration,
     /// Time in which a long computation has to end.
@@ -52,6 +57,8 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             body: 1 << 20,
+            bodies: 32 << 20,
+            answers: 32 << 20,
             body_deadline: Duration::from_secs(10),
             compute_deadline: Duration::from_secs(30),
             compute_threads: std::thread::available_parallelism().map_or(1, usize::from),
@@ -72,6 +79,8 @@ pub struct Service(Arc<Shared>);
 struct Shared {
     limits: Limits,
     pool: Pool,
+    bodies: Budget,
+    answers: Budget,
     metrics: Metrics,
     stopping: AtomicBool,
 }
@@ -81,8 +90,9 @@ impl Service {
     #[must_use]
     pub fn new(limits: Limits) -> Self {
         let pool = Pool::new(&limits.pool());
-        let metrics = Metrics::new(&pool);
-        Self(Arc::new(Shared { limits, pool, metrics, stopping: AtomicBool::new(false) }))
+        let (bodies, answers) = (Budget::new(limits.bodies), Budget::new(limits.answers));
+        let metrics = Metrics::new(&pool, &bodies, &answers);
+        Self(Arc::new(Shared { limits, pool, bodies, answers, metrics, stopping: AtomicBool::new(false) }))
     }
 
     /// From now on the service is not ready.
@@ -100,6 +110,16 @@ impl Service {
 
     pub(crate) fn pool(&self) -> &Pool {
         &self.0.pool
+    }
+
+    /// Memory for bodies that are read whole.
+    pub(crate) fn bodies(&self) -> &Budget {
+        &self.0.bodies
+    }
+
+    /// Memory for large answers.
+    pub(crate) fn answers(&self) -> &Budget {
+        &self.0.answers
     }
 
     /// The counters of the service.

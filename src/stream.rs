@@ -10,6 +10,7 @@ use axum::response::{IntoResponse, Response};
 use http_body_util::{BodyExt, channel};
 use tokio::time::{Instant, timeout, timeout_at};
 
+use crate::body;
 use crate::compute::Place;
 use crate::problem::Problem;
 use crate::state::Limits;
@@ -142,7 +143,7 @@ impl<W: Work> Stream<W> {
             match timeout_at(idle.min(self.deadline), self.body.frame()).await {
                 Err(_) if self.deadline <= idle => return Err(late),
                 Err(_) => return Err(Problem::Idle(self.limits.stream_idle)),
-                Ok(Some(Err(_))) => return Err(Problem::BrokenBody),
+                Ok(Some(Err(error))) => return Err(body::problem(&error)),
                 Ok(Some(Ok(frame))) => {
                     self.input = frame.into_data().unwrap_or_default();
                     // Where the end is known with the last piece, a fault at the end of a short body is a problem still.

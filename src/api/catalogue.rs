@@ -9,8 +9,8 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::responses::{InvalidQuery, Limits, UnknownName};
+use crate::answer::{csv_text, json, json_text};
 use crate::catalogue::{self, SoilView, WheelView};
-use crate::compute::{csv_text, json, json_text};
 use crate::extract::{Asked, Format, FormatParameter, NoQuery};
 use crate::name::Name;
 use crate::problem::Problem;

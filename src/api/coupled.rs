@@ -5,7 +5,8 @@ use axum::response::Response;
 use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, Limits};
-use crate::compute::{Cost, Pace, written};
+use crate::answer::written;
+use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::CoupledReply;

@@ -7,7 +7,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::responses::Limits;
-use crate::compute::json;
+use crate::answer::json;
 use crate::problem::Problem;
 use crate::state::Service;
 

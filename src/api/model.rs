@@ -8,8 +8,8 @@ use terramechanics::{Caution, CautionKind};
 use utoipa::ToSchema;
 
 use super::responses::{InvalidQuery, Limits};
+use crate::answer::json_text;
 use crate::catalogue::{self, Gravity};
-use crate::compute::json_text;
 use crate::extract::NoQuery;
 
 /// What the service computes.

@@ -5,7 +5,8 @@ use axum::response::Response;
 use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
-use crate::compute::{Cost, Pace, written};
+use crate::answer::written;
+use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ResistancesReply;

@@ -4,7 +4,8 @@ use axum::extract::State;
 use axum::response::Response;
 
 use super::responses::{InvalidBody, Limits};
-use crate::compute::{Cost, Pace, written};
+use crate::answer::written;
+use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::TowedReply;

@@ -10,7 +10,8 @@ use utoipa::ToSchema;
 
 use super::catalogue::unknown;
 use super::responses::{InvalidQuery, Limits, UnknownName};
-use crate::compute::{Cost, Pace, json_text, written};
+use crate::answer::{json_text, written};
+use crate::compute::{Cost, Pace};
 use crate::extract::{AskedFormat, FormatParameter, NoQuery};
 use crate::name::Name;
 use crate::problem::Problem;

@@ -14,7 +14,7 @@ use crate::compute::Pace;
 use crate::extract::SeriesForm;
 use crate::reply::{
     CompareReply, CoupledReply, ForcesReply, IdentifyReply, PlatesReply, ProfileReply, Reply, ResistancesReply, ShearReply,
-    SweepReply, TowedReply, ValidationSet, csv,
+    SweepReply, TowedReply, ValidationSet, write_table,
 };
 use crate::request::{
     CompareDto, CoupledDto, ForcesDto, IdentifyDto, PlatesDto, ProfileDto, Request, ResistancesDto, ShearTestsDto, SweepDto,
@@ -207,7 +207,10 @@ fn written<T: Reply>(reply: &T) -> Answer {
         reply.columns().into_iter().map(|(name, column)| (name, column.iter().copied().map(rounded).collect())).collect();
     let table: Vec<_> = columns.iter().map(|(name, column)| (name.clone(), column.as_slice())).collect();
     let json = serde_json::to_value(reply).map(with_rounded_numbers).unwrap_or_default();
-    vec![(JSON, json), ("text/csv", csv(&table).into())]
+    let mut csv = Vec::new();
+    // Writing to memory cannot fail.
+    let _ = write_table(&table, &mut csv);
+    vec![(JSON, json), ("text/csv", String::from_utf8_lossy(&csv).into())]
 }
 
 /// The entries of the catalogue and a set of measurements: path, media type, example.

@@ -16,8 +16,9 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use self::paths::Known;
+use crate::answer::json_text;
 use crate::api::responses::Limits;
-use crate::compute::{Cost, json_text};
+use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::state::Service;
 

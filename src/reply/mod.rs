@@ -29,7 +29,8 @@ pub(crate) use validation::ValidationSet;
 pub(crate) use warning::{RowCautions, Warning};
 
 use std::borrow::Cow;
-use std::fmt::Write;
+use std::fmt::Write as _;
+use std::io;
 
 use serde::ser::SerializeSeq;
 use serde::{Serialize, Serializer};
@@ -60,25 +61,26 @@ impl Serialize for Column {
 }
 
 /// The table of a reply: a header row with the names of the columns, then a row per point; an empty cell for no value.
-pub(crate) fn csv(columns: &[(Cow<'static, str>, &[f64])]) -> String {
+pub(crate) fn write_table(columns: &[(Cow<'static, str>, &[f64])], out: &mut impl io::Write) -> io::Result<()> {
     let names: Vec<Cow<'_, str>> = columns.iter().map(|(name, _)| cell_of(name)).collect();
+    writeln!(out, "{}", names.join(","))?;
     let rows = columns.first().map_or(0, |(_, column)| column.len());
-    let mut text = String::with_capacity((rows + 1) * columns.len() * 20);
-    text.push_str(&names.join(","));
-    text.push('\n');
+    let mut line = String::new();
     for row in 0..rows {
+        line.clear();
         for (i, (_, column)) in columns.iter().enumerate() {
             if i > 0 {
-                text.push(',');
+                line.push(',');
             }
             if column[row].is_finite() {
                 // The shortest form that parses to the same number; writing to a String cannot fail.
-                let _ = write!(text, "{:?}", column[row]);
+                let _ = write!(line, "{:?}", column[row]);
             }
         }
-        text.push('\n');
+        line.push('\n');
+        out.write_all(line.as_bytes())?;
     }
-    text
+    Ok(())
 }
 
 /// A text as a cell: in quotes where it would else be taken apart (RFC 4180, section 2).
@@ -110,9 +112,14 @@ mod tests {
 
     #[test]
     fn a_table_has_names_rows_and_empty_cells() {
-        let text = csv(&[("slip".into(), &[0.0, 0.1]), ("torque_n_m".into(), &[f64::NAN, 1e-7])]);
+        let table = |columns: &[(Cow<'static, str>, &[f64])]| {
+            let mut text = Vec::new();
+            write_table(columns, &mut text).expect("memory takes all");
+            String::from_utf8(text).expect("text")
+        };
+        let text = table(&[("slip".into(), &[0.0, 0.1]), ("torque_n_m".into(), &[f64::NAN, 1e-7])]);
         assert_eq!(text, "slip,torque_n_m\n0.0,\n0.1,1e-7\n");
-        assert_eq!(csv(&[("a, b".into(), &[1.0]), ("5\" wide".into(), &[2.0])]), "\"a, b\",\"5\"\" wide\"\n1.0,2.0\n");
+        assert_eq!(table(&[("a, b".into(), &[1.0]), ("5\" wide".into(), &[2.0])]), "\"a, b\",\"5\"\" wide\"\n1.0,2.0\n");
     }
 
     #[test]

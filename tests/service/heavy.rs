@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 
 use crate::asking::letter;
-use crate::server::{PATIENCE, Server, message};
+use crate::running::{PATIENCE, Server, message};
 
 /// A contact so stiff that one load balance, which fails, takes some milliseconds: nearly every pressure is reached at once, and shear
 /// within micrometres. A random search over requests found it.

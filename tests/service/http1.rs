@@ -9,7 +9,7 @@ use flate2::Compression;
 use flate2::write::{GzEncoder, ZlibEncoder};
 
 use crate::asking::{Answer, get, letter, request, send, send_to};
-use crate::server::Server;
+use crate::running::Server;
 use terramechanics_server::{Limits, Service};
 
 /// What the server answers to these bytes until it closes the connection.

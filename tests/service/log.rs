@@ -6,7 +6,7 @@ use std::process::{ChildStderr, Stdio};
 
 use serde_json::Value;
 
-use crate::server::{Server, message};
+use crate::running::{Server, message};
 
 /// Answers that write more lines than a pipe and the queue of the log hold.
 const MANY: usize = 8000;
