@@ -116,3 +116,21 @@ fn a_rule_for_the_peak_that_is_set_aside_is_warned_of() {
     let warns = |changes: Value| post("/v1/forces", &two_zones(changes)).warned_of().contains(&"peak_rule_set_aside".into());
     assert!(warns(json!({"contact": {"rule": "half_sinkage"}})) && !warns(json!({})));
 }
+
+/// The zones push up and pull down with some 6e13 N each, of which 41 N are less than the rounding.
+#[test]
+fn a_load_beyond_the_digits_of_its_parts_has_no_answer() {
+    let body = json!({
+        "wheel": {"radius_m": 12.862_471_313_342_724, "width_m": 62.090_996_941_008_02},
+        "soil": {
+            "cohesion_pa": 0, "friction_angle_rad": 1.503_178_367_540_06, "shear_modulus_m": 2.982_242_231_853_259_6e-6,
+            "pressure_sinkage": {"law": "direct", "k_s": 169_820.135_296_161_04, "n0": 7.052_536_539_966_347}
+        },
+        "contact": {"rule": "midpoint", "c3": -0.423_786_163_305_589_66},
+        "braking": "two_zone", "slip": -0.215_851_890_119_908_27, "normal_load_n": 41.216_848_668_175_01
+    });
+    assert!(post("/v1/forces", &body).fault("/normal_load_n").contains("no sinkage was found"));
+    let sweep = post("/v1/slip-sweep", &with(&body, json!({"slip": [-0.215_851_890_119_908_27, -0.1]}))).ok();
+    assert!(sweep["columns"]["normal_force_n"][0].is_null() && sweep["columns"]["sinkage_m"][0].is_null(), "{sweep}");
+    assert!(sweep["warnings"].to_string().contains("no sinkage was found"), "{sweep}");
+}

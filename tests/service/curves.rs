@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{letter, post, post_for_csv, table, with};
+use crate::asking::{Answer, letter, post, post_for_csv, table, with};
 
 fn plate(width: f64, k_c: f64, k_phi: f64, n0: f64) -> Value {
     let sinkage: Vec<f64> = (1..=8).map(|i| 0.004 * f64::from(i)).collect();
@@ -147,4 +147,36 @@ fn bad_curves_are_pointed_at() {
     let mut body = shear();
     body["curves"][0] = json!({"columns": {"displacement_m": [0.1]}});
     assert_eq!(faults("/v1/identify/shear", &body), ["/curves/0/normal_stress_pa", "/curves/0/columns/shear_stress_pa"]);
+}
+
+/// The answer, unless the service does not give one: a fit that hung is a failure and holds up no other test.
+fn post_in_time(path: &'static str, body: &Value) -> Answer {
+    let (send, receive) = std::sync::mpsc::channel();
+    let body = body.clone();
+    // Nobody waits for an answer that comes too late.
+    std::thread::spawn(move || drop(send.send(post(path, &body))));
+    receive.recv_timeout(std::time::Duration::from_secs(60)).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// Displacements so far apart that a ratio of them is infinite where its exponential is 0.
+#[test]
+fn displacements_far_apart_are_answered() {
+    let curve = |normal: f64, displacement: &[f64], shear: &[f64]| json!({"normal_stress_pa": normal, "columns": {"displacement_m": displacement, "shear_stress_pa": shear}});
+    let tiny = json!({"curves": [curve(2.0, &[5e-324], &[1.0]), curve(0.0, &[0.0], &[0.0])]});
+    assert!(post_in_time("/v1/identify/shear", &tiny).fault("/curves").contains("largest displacement"));
+    let apart = json!({"curves": [curve(1e3, &[0.001, 1e-6], &[-1.0, 1e3]), curve(1.0, &[0.0, 1e-6], &[0.0, 1e12])]});
+    let reply = post_in_time("/v1/identify/shear", &apart).ok();
+    assert!(reply["estimates"].as_array().expect("estimates").iter().all(|estimate| estimate["value"].is_number()), "{reply}");
+}
+
+#[test]
+fn values_too_small_to_be_squared_are_pointed_at() {
+    let mut body = plates();
+    body["plates"][1]["columns"]["pressure_pa"] = json!(vec![5e-324; 8]);
+    assert!(post_in_time("/v1/identify/plates", &body).fault("/plates/1").contains("1e-100"));
+    let mut body = shear();
+    for curve in body["curves"].as_array_mut().expect("curves") {
+        curve["normal_stress_pa"] = json!(1e-200 * curve["normal_stress_pa"].as_f64().expect("a number"));
+    }
+    assert!(post_in_time("/v1/identify/shear", &body).fault("/curves").contains("1e-100"));
 }

@@ -477,3 +477,19 @@ fn whatever_is_sent_the_answer_is_no_500() {
         }
     }
 }
+
+/// A column whose squares vanish, and one whose load is next to nothing: an answer or a fault, and in time.
+#[test]
+fn measurements_of_any_size_are_answered() {
+    let body = |normal: f64, torque: f64| {
+        json!({
+            "wheel": {"radius_m": 0.15, "width_m": 0.12},
+            "soil": {"cohesion_pa": 600, "shear_modulus_m": 0.012, "pressure_sinkage": {"law": "direct", "k_s": 9e5, "n0": 0.9}},
+            "fit": ["friction_angle_rad"],
+            "data": {"slip": [0.1, 0.3], "normal_force_n": [normal, 2.0 * normal], "torque_n_m": [torque, torque]}
+        })
+    };
+    assert!(post("/v1/identify", &body(60.0, 1e-200)).fault("/data/torque_n_m").contains("1e-100"));
+    assert!(post("/v1/identify", &body(1e-200, 1.0)).fault("/data/normal_force_n").contains("1e-100"));
+    assert!(post("/v1/identify", &body(60.0, 1e12)).ok()["estimates"][0]["value"].is_number());
+}

@@ -10,7 +10,7 @@ use nalgebra::DMatrix;
 use terramechanics::Sinkage;
 
 use crate::problem::{Obstacle, Problem, Sought};
-use crate::range::LARGEST;
+use crate::range::is_summable;
 use crate::setup::{Prediction, Setup, SinkageSource};
 
 /// Step of the differences on the scaled unknowns: the cube root of the rounding error, where a central difference is best.
@@ -42,7 +42,7 @@ impl Problem<'_> {
                 }
             }
         }
-        if jacobian.iter().all(|entry| entry.abs() <= LARGEST) { Ok(jacobian) } else { Err(Obstacle::Values) }
+        if jacobian.iter().all(|&entry| is_summable(entry)) { Ok(jacobian) } else { Err(Obstacle::Values) }
     }
 
     /// Predictions beside `values`, at the sinkages of `base` where those carry a load.

@@ -11,7 +11,7 @@ use crate::error::FitError;
 use crate::fit::FitOptions;
 use crate::loss::Loss;
 use crate::observations::{Observations, Quantity};
-use crate::range::LARGEST;
+use crate::range::is_summable;
 use crate::setup::{Prediction, Setup, SinkageSource};
 use crate::unknown::{Range, Scale, Unknown};
 
@@ -256,7 +256,7 @@ impl<'a> Problem<'a> {
             let measured = self.observations.column(quantity).map_or(&[][..], |column| &column.values);
             for (row, (prediction, measured)) in predictions.iter().zip(measured).enumerate() {
                 let residual = (quantity.of(prediction) - measured) * self.weights[place];
-                if residual.is_nan() || residual.abs() > LARGEST {
+                if !is_summable(residual) {
                     return Err(Obstacle::Row { row, error: Error::NotFinite });
                 }
                 residuals[place] = residual;

@@ -22,6 +22,11 @@ pub(crate) fn is_usable(size: f64) -> bool {
     SIZES.contains(&size)
 }
 
+/// Whether the square of a residual or of a derivative can be summed; that of a NaN cannot.
+pub(crate) fn is_summable(value: f64) -> bool {
+    value.abs() <= LARGEST
+}
+
 /// The number, unless it left the range.
 pub(crate) fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)

@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, Dyn, SVD};
 use crate::consent::{Consent, POINTS_PER_QUESTION, Stopped};
 use crate::loss::Loss;
 use crate::problem::Obstacle;
-use crate::range::{LARGEST, finite};
+use crate::range::{finite, is_summable};
 use crate::student::quantile_95;
 
 /// Share of the largest singular value at which a direction counts as dead; the derivatives keep nine digits or more.
@@ -93,8 +93,7 @@ impl Uncertainty {
     pub(crate) fn of(evidence: &Evidence<'_>, consent: &Consent<'_>) -> Result<Self, Obstacle> {
         let Evidence { jacobian, residuals, measured, scatter, useful, loss } = *evidence;
         let count = jacobian.ncols();
-        let is_usable = |value: &f64| value.abs() <= LARGEST;
-        if !(jacobian.iter().all(is_usable) && residuals.iter().all(is_usable)) {
+        if !jacobian.iter().chain(residuals.iter()).all(|&value| is_summable(value)) {
             return Err(Obstacle::Values);
         }
         let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();

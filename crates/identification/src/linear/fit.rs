@@ -9,7 +9,7 @@ use crate::error::FitError;
 use crate::finding::{Bound, Estimate, Identifiability};
 use crate::fitted_column::FittedColumn;
 use crate::observations::{Column, Observations, Quantity};
-use crate::range::{LARGEST, finite, finite_ends};
+use crate::range::{finite, finite_ends, is_summable};
 use crate::setup::{Prediction, Setup, SinkageSource};
 use crate::student::quantile_95;
 use crate::unknown::Unknown;
@@ -92,7 +92,7 @@ fn found(setup: &Setup, observations: &Observations, consent: &Consent<'_>) -> R
         let known = Coupled { normal_load: sample.load, torque: None, normal_stress_radius: radius };
         let forces = known.forces(&patch).map_err(refused)?;
         let (longitudinal, torque) = (forces.longitudinal, forces.torque);
-        if !(longitudinal.abs() <= LARGEST && torque.abs() <= LARGEST) {
+        if !(is_summable(longitudinal) && is_summable(torque)) {
             return Err(refused(Error::NotFinite));
         }
         predicted.push(Prediction { sinkage: sample.sinkage, longitudinal, normal: sample.load, torque });

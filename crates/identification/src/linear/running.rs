@@ -19,7 +19,7 @@ use terramechanics::{Error, NormalStressRadius, Sample, SampleMotion, Sinkage, S
 
 use super::{RollingSample, StressPoint};
 use crate::design::{LOAD_SPREAD, SLIP_SPREAD};
-use crate::range::{self, LARGEST};
+use crate::range;
 
 /// Relative spread of the normal stresses below which the line has no slope: rounding of the stresses.
 const LEAST_SPREAD: f64 = 1e-6;
@@ -141,7 +141,7 @@ impl RunningStrength {
     /// Those of [`StressPoint::of`], and [`Error::NotFinite`] for stresses whose squares could not be summed.
     pub fn take(&mut self, sample: &RollingSample) -> Result<bool, Error> {
         let Some(point) = StressPoint::of(&self.system, self.radius, sample)? else { return Ok(false) };
-        if ![point.normal, point.strength, sample.load].into_iter().all(|value| value.abs() <= LARGEST) {
+        if ![point.normal, point.strength, sample.load].into_iter().all(range::is_summable) {
             return Err(Error::NotFinite);
         }
         let kept = self.forgetting;
