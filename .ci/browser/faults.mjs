@@ -143,6 +143,17 @@ check("a value out of its range is told the range", async (page) => {
   }
 }, { refused: true });
 
+check("a range that comes as data is told in the unit of the box", async (page) => {
+  await open(page);
+  const fault = { pointer: "/wheel/radius_m", detail: "a sentence of the check", value: 0.0005, minimum: 0.001, maximum: 100 };
+  const json = { type: "about:blank", title: "refused", status: 422, detail: "refused", errors: [fault] };
+  await page.route(/\/v1\/(forces|slip-sweep|stress-profile)$/, (route) => route.fulfill({ status: 422, json }));
+  await box(page, "radius").fill("0.5");
+  await faulty(page);
+  const told = await page.innerText(`[data-fault="${fault.pointer}"]`);
+  assert.equal(told.replaceAll("\u00a0", " "), "must be from 1 mm to 100000 mm, not 0.5 mm; 0.5 m are 500 mm");
+}, { refused: true });
+
 check("a slip that brakes and the tick for braking go together", async (page) => {
   await open(page);
   await box(page, "slip").fill("-20");
