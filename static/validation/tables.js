@@ -63,7 +63,7 @@ export const TABLES = [
  */
 function errorCell({ name, text }, { series, solved, unsolved, ...errors }) {
   const value = errors[name] ?? null;
-  const gaps = unsolved ? `${unsolved} of ${solved + unsolved} points have no solution and are left out` : null;
+  const gaps = unsolved ? `${unsolved} of ${solved + unsolved} points left out: no solution` : null;
   return html("td", { "data-error": name, "data-series": series, "data-value": value ?? "", title: gaps },
     value === null ? "–" : text(value), value !== null && gaps ? "*" : "");
 }
