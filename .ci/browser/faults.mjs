@@ -28,7 +28,7 @@ function assertConverted(shown, { detail: sentence, unit, perSi }) {
 async function assertFault(page, { name, pointer, told, converted }) {
   await faulty(page);
   const fault = page.locator(`[data-fault="${pointer}"]`);
-  assert.ok(await fault.isVisible(), `the fault at ${pointer} is to be seen`);
+  assert.ok(await fault.isVisible(), `the fault at ${pointer} is visible`);
   const shown = await fault.innerText();
   if (converted) assertConverted(shown, converted);
   told ??= shown;
@@ -202,7 +202,7 @@ check("two faults at once are both told", async (page) => {
   await box(page, "cohesion").fill("-1");
   await faulty(page);
   for (const pointer of ["/wheel/radius_m", "/soil/cohesion_pa"]) {
-    assert.ok(await page.locator(`[data-fault="${pointer}"]`).isVisible(), `the fault at ${pointer} is to be seen`);
+    assert.ok(await page.locator(`[data-fault="${pointer}"]`).isVisible(), `the fault at ${pointer} is visible`);
   }
   await page.click("#reset-all");
   await assertHealed(page, { name: "radius", pointer: "/wheel/radius_m" });
@@ -227,7 +227,7 @@ check("a soil without a shear modulus asks for one", async (page) => {
   await assertFault(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m", told: told.replaceAll("`", "") });
   assert.match(await page.innerText("#status"), /^Shear modulus K is required: /);
   assert.equal(await page.locator("#status code").count(), 1, "the quoted name stands as code");
-  assert.deepEqual(refused.map((url) => new URL(url).pathname), ["/v1/forces"], "what is wanting is asked for once");
+  assert.deepEqual(refused.map((url) => new URL(url).pathname), ["/v1/forces"], "a missing value is asked for once");
   await box(page, "shear_modulus").fill("10");
   await assertHealed(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m" });
   assert.deepEqual((await curlBody(page)).soil, { ...soil, shear_modulus_m: 0.01 });

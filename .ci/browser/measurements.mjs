@@ -75,7 +75,7 @@ check("a dropped table is fitted on demand, and its soil becomes the page's", as
   assert.deepEqual((await curlBody(page)).soil, { preset: "letter-sand" });
 });
 
-check("a column can be told to be another one, and what is wanting is said", async (page) => {
+check("a column can be changed, and the page says what is missing", async (page) => {
   await open(page);
   await dropFile(page, "s,a,b\n0.1,20,3\n0.2,21,4\n");
   assert.deepEqual(await chosen(page), ["slip –", "", ""]);
