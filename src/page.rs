@@ -27,7 +27,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; i
 pub(crate) fn routes() -> Router<Service> {
     Router::new()
         .route("/", get(|headers: HeaderMap| async move { file("index.html", &headers) }))
-        .route("/static/{name}", get(|Name(name): Name, headers: HeaderMap| async move { file(&name, &headers) }))
+        .route("/static/{*name}", get(|Name(name): Name, headers: HeaderMap| async move { file(&name, &headers) }))
         .route("/favicon.ico", get(|headers: HeaderMap| async move { file("icon.svg", &headers) }))
 }
 

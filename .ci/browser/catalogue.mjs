@@ -70,7 +70,7 @@ check("a soil without its moduli asks for each at its field", async (page) => {
   await faulty(page);
   for (const [name, pointer] of [["bekker_k_c", "/soil/pressure_sinkage/k_c"], ["bekker_k_phi", "/soil/pressure_sinkage/k_phi"]]) {
     const fault = box(page, name).locator("xpath=ancestor::div[@data-field]").locator(`[data-fault="${pointer}"]`);
-    assert.ok(await fault.isVisible(), `the fault at ${pointer} is to be seen`);
+    assert.ok(await fault.isVisible(), `the fault at ${pointer} is visible`);
   }
   assert.match(await page.innerText("#soil-grade"), /Not in the catalogue: pressure–sinkage moduli/);
   await openGroups(page);

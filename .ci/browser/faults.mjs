@@ -28,7 +28,7 @@ function assertConverted(shown, { detail: sentence, unit, perSi }) {
 async function assertFault(page, { name, pointer, told, converted }) {
   await faulty(page);
   const fault = page.locator(`[data-fault="${pointer}"]`);
-  assert.ok(await fault.isVisible(), `the fault at ${pointer} is to be seen`);
+  assert.ok(await fault.isVisible(), `the fault at ${pointer} is visible`);
   const shown = await fault.innerText();
   if (converted) assertConverted(shown, converted);
   told ??= shown;
@@ -143,6 +143,17 @@ check("a value out of its range is told the range", async (page) => {
   }
 }, { refused: true });
 
+check("a range that comes as data is told in the unit of the box", async (page) => {
+  await open(page);
+  const fault = { pointer: "/wheel/radius_m", detail: "a sentence of the check", value: 0.0005, minimum: 0.001, maximum: 100 };
+  const json = { type: "about:blank", title: "refused", status: 422, detail: "refused", errors: [fault] };
+  await page.route(/\/v1\/(forces|slip-sweep|stress-profile)$/, (route) => route.fulfill({ status: 422, json }));
+  await box(page, "radius").fill("0.5");
+  await faulty(page);
+  const told = await page.innerText(`[data-fault="${fault.pointer}"]`);
+  assert.equal(told.replaceAll("\u00a0", " "), "must be from 1 mm to 100000 mm, not 0.5 mm; 0.5 m are 500 mm");
+}, { refused: true });
+
 check("a slip that brakes and the tick for braking go together", async (page) => {
   await open(page);
   await box(page, "slip").fill("-20");
@@ -191,7 +202,7 @@ check("two faults at once are both told", async (page) => {
   await box(page, "cohesion").fill("-1");
   await faulty(page);
   for (const pointer of ["/wheel/radius_m", "/soil/cohesion_pa"]) {
-    assert.ok(await page.locator(`[data-fault="${pointer}"]`).isVisible(), `the fault at ${pointer} is to be seen`);
+    assert.ok(await page.locator(`[data-fault="${pointer}"]`).isVisible(), `the fault at ${pointer} is visible`);
   }
   await page.click("#reset-all");
   await assertHealed(page, { name: "radius", pointer: "/wheel/radius_m" });
@@ -216,7 +227,7 @@ check("a soil without a shear modulus asks for one", async (page) => {
   await assertFault(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m", told: told.replaceAll("`", "") });
   assert.match(await page.innerText("#status"), /^Shear modulus K is required: /);
   assert.equal(await page.locator("#status code").count(), 1, "the quoted name stands as code");
-  assert.deepEqual(refused.map((url) => new URL(url).pathname), ["/v1/forces"], "what is wanting is asked for once");
+  assert.deepEqual(refused.map((url) => new URL(url).pathname), ["/v1/forces"], "a missing value is asked for once");
   await box(page, "shear_modulus").fill("10");
   await assertHealed(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m" });
   assert.deepEqual((await curlBody(page)).soil, { ...soil, shear_modulus_m: 0.01 });

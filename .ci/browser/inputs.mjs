@@ -116,7 +116,7 @@ check("a load that the soil does not carry is a fault of the load", async (page)
   const told = (await faultOf({ ...(await curlBody(page)), normal_load_n: 50000 }, "/normal_load_n"))
     .replace(/a sinkage of ([\d.]+) m$/, (_, sinkage) => `a sinkage of ${Number((sinkage * 1000).toPrecision(6))}\u00a0mm`);
   const fault = page.locator('[data-fault="/normal_load_n"]');
-  assert.ok(await fault.isVisible(), "the fault is to be seen");
+  assert.ok(await fault.isVisible(), "the fault is visible");
   assert.ok((await fault.innerText()).includes(told), await fault.innerText());
   assert.equal(await box(page, "normal_load").getAttribute("aria-invalid"), "true");
   await box(page, "normal_load").fill("90");

@@ -4,7 +4,7 @@ import { LETTER, ask } from "./support/api.mjs";
 import { check, run } from "./support/checks.mjs";
 import { FORCES, assertAnswered, box, faulty, open, openGroups, picked, ready, url, valuesOf } from "./support/page.mjs";
 
-/** The page opened anew at its own address asks for the same. */
+/** The page opened again at its own address asks for the same. */
 async function assertTravels(page, body) {
   const other = await page.context().newPage();
   await other.goto(page.url());
@@ -42,7 +42,7 @@ check("each shear law takes its own parameters", async (page) => {
 check("a residual beyond the largest strength is a fault of the residual", async (page) => {
   await page.goto(url("?shear=wong_residual&kr=1.5"));
   await faulty(page);
-  assert.ok(await page.isVisible('[data-fault="/soil/shear/residual_ratio"]'), "the fault is to be seen");
+  assert.ok(await page.isVisible('[data-fault="/soil/shear/residual_ratio"]'), "the fault is visible");
   assert.equal(await box(page, "residual_ratio").getAttribute("aria-invalid"), "true");
 }, { refused: true });
 

@@ -24,7 +24,7 @@ check("before the first answer the page shows its parts and says that it waits",
   assert.equal(await page.innerText("#status"), "Asking the service…");
   for (const part of ["#tiles", "#controls", "#scene .placeholder", "#profile-chart .placeholder", "#fourth-chart .placeholder",
     ...Object.keys(SLIP_CHARTS).map((chart) => `${chart} .placeholder`)]) {
-    assert.ok(await page.isVisible(part), `${part} is to be seen`);
+    assert.ok(await page.isVisible(part), `${part} is visible`);
     assert.notEqual((await page.innerText(part)).trim(), "", `${part} says something`);
   }
   assert.doesNotMatch(await page.innerText("body"), /NaN|undefined|null|Infinity/);

@@ -58,6 +58,7 @@ check("a dropped table is fitted on demand, and its soil becomes the page's", as
     assert.equal(await pointsIn(page, chart), 3 * SLIPS.length, chart);
   }
   await page.click("#residual-rows summary");
+  await page.waitForSelector("#residual-rows table");
   const torques = await page.$$eval('[data-residual="torque_n_m"]', (cells) => cells.map((cell) => [cell.previousElementSibling, cell].map(({ dataset }) => Number(dataset.value))));
   assert.equal(torques.length, 3 * SLIPS.length);
   for (const [predicted, residual] of torques) assert.ok(Math.abs(residual) < 1e-3 * predicted, `${residual} N·m of ${predicted} N·m is left by the soil that made the points`);
@@ -74,7 +75,7 @@ check("a dropped table is fitted on demand, and its soil becomes the page's", as
   assert.deepEqual((await curlBody(page)).soil, { preset: "letter-sand" });
 });
 
-check("a column can be told to be another one, and what is wanting is said", async (page) => {
+check("a column can be changed, and the page says what is missing", async (page) => {
   await open(page);
   await dropFile(page, "s,a,b\n0.1,20,3\n0.2,21,4\n");
   assert.deepEqual(await chosen(page), ["slip –", "", ""]);
@@ -94,7 +95,7 @@ check("a malformed table tells line and column", async (page) => {
   await open(page);
   await dropFile(page, "slip,Fx [N],Fz [N]\n0.1,3,90\n0.2,four,90\n");
   assert.equal(await state(page), "refused");
-  assert.deepEqual(await faults(page), ["Line 3, column 2 (Fx [N]): “four” is no number."]);
+  assert.deepEqual(await faults(page), ["Line 3, column 2 (Fx [N]): “four” is not a number."]);
   await dropFile(page, "slip;Fx\n0,1;3\n0,2;3;4\n");
   assert.ok((await faults(page))[0].startsWith("Line 3: 3 cells"), `${await faults(page)}`);
   await dropFile(page, `slip,Fx\n${"0.1,3\n".repeat(10_002)}`);

@@ -16,7 +16,7 @@ check("the methods are compared in numbers", async (page) => {
   assert.ok(await page.isHidden("#comparison"), "one method is not compared");
   await page.check("#compare");
   await ready(page);
-  assert.ok(await page.isVisible("#comparison-table"), "the table is to be seen");
+  assert.ok(await page.isVisible("#comparison-table"), "the table is visible");
   const rows = await rowsOf(page);
   assert.deepEqual(rows.map(({ method }) => method), METHODS);
   const normalForces = [];
@@ -71,7 +71,7 @@ const ROUNDING = 1e-9;
 for (const [query, load] of [["?compare=1", null], ["?compare=1&by=load&load_n=60&braking=1&method=linearised", 60]]) {
   check(`the gap to the integral and the spread are told over slip${load ? " at a load" : ""}`, async (page) => {
     await open(page, query);
-    assert.ok(await page.isVisible("#gap-table"), "the table is to be seen");
+    assert.ok(await page.isVisible("#gap-table"), "the table is visible");
     const rows = await page.$$eval("#gap-table tr[data-method]", (found) => found.map((row) => ({
       method: row.dataset.method, name: row.dataset.quantity,
       cells: Object.fromEntries([...row.querySelectorAll("td[data-gap]")].map(({ dataset, innerText }) => [dataset.gap, { ...dataset, text: innerText }])),

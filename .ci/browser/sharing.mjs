@@ -51,7 +51,7 @@ check("the address holds all inputs", async (page) => {
   assert.equal(body.lambda_a, "exact");
 });
 
-check("choices of the address that nobody offers give way to the defaults, and this is said", async (page) => {
+check("choices of the address that are not offered give way to the defaults, and the page says so", async (page) => {
   const choices = ["wheel", "soil", "method", "by", "compare", "braking", "law", "shear", "rule", "slip_sinkage", "normal_stress_radius",
     "peak_sinkage", "fourth"];
   const stateOf = (each) => each.$$eval("#app input, #app select", (inputs) => inputs.map(({ id, type, value, checked }) =>

@@ -123,15 +123,15 @@ check("a name of one letter is meant as it is written, and units need no bracket
   }
 });
 
-check("a cell of telemetry that is no number counts as empty, and is told", async (page) => {
+check("a cell of telemetry that is not a number counts as empty, and is told", async (page) => {
   await open(page);
   await dropFile(page, "time_s,slip,torque_n_m\n0,0.1,5\n1,#N/A,5\n#N/A,0.1,5\n3,0.1,ERR\n");
   assert.equal(await state(page), "ready", `${await faults(page)}`);
   const told = await page.innerText("#measurements-status");
-  assert.ok(told.includes("3 cells are no numbers and count as empty, the first: Line 3, column 2"), told);
+  assert.ok(told.includes("3 cells are not numbers and count as empty, the first: Line 3, column 2"), told);
   await followed(page);
   await dropFile(page, "time_s,slip,torque_n_m\n0,ERR,5\n1,0.1,5\n");
-  assert.deepEqual(await faults(page), ["Line 2, column 2 (slip): “ERR” is no number."]);
+  assert.deepEqual(await faults(page), ["Line 2, column 2 (slip): “ERR” is not a number."]);
 });
 
 check("what telemetry lacks is said", async (page) => {

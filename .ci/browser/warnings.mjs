@@ -6,7 +6,7 @@ import { curlBody, open, ready } from "./support/page.mjs";
 
 const codesIn = (page, list) => page.$$eval(`${list} [data-warning]`, (items) => items.map(({ dataset }) => dataset.warning));
 
-check("without anything to say no warning is to be seen", async (page) => {
+check("no warning is shown where there is none", async (page) => {
   await open(page, "?radius_mm=250");
   for (const list of ["#warnings", "#profile-warnings", "#sweep-warnings"]) assert.ok(await page.isHidden(list), `${list} is empty`);
 });

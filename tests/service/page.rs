@@ -29,12 +29,15 @@ fn every_file_the_page_names_is_served() {
         let file = get(&path);
         assert_eq!(file.status, 200, "{path}");
         assert!(!file.text.contains("://cdn") && !file.text.contains("src=\"http"), "{path} comes from elsewhere");
-        if path.ends_with(".js") {
-            assert!(file.header("content-type").starts_with("text/javascript"));
+        let content_type = file.header("content-type");
+        for (ending, expected) in [(".js", "text/javascript"), (".css", "text/css"), (".svg", "image/svg+xml")] {
+            assert!(!path.ends_with(ending) || content_type.starts_with(expected), "{path} is {content_type}");
         }
+        assert!(!file.header("content-security-policy").is_empty(), "{path} has no policy");
+        let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
         for quoted in file.text.split(['"', '\'']) {
-            if let Some(name) = quoted.strip_prefix("./").filter(|name| name.ends_with(".js")) {
-                to_read.push(format!("/static/{name}"));
+            if quoted.starts_with("./") || quoted.starts_with("../") {
+                to_read.push(resolved(folder, quoted));
             } else if quoted.starts_with("/static/") && quoted.contains('.') {
                 to_read.push(quoted.to_owned());
             }
@@ -45,6 +48,19 @@ fn every_file_the_page_names_is_served() {
         read.iter().filter(|path| path.ends_with(".js")).count() >= 5 && read.iter().any(|path| path.ends_with(".css")),
         "{read:?}"
     );
+}
+
+/// The path of a module that another one in `folder` imports.
+fn resolved(folder: &str, import: &str) -> String {
+    let mut parts: Vec<&str> = folder.split('/').collect();
+    for part in import.split('/') {
+        match part {
+            "." => {}
+            ".." => drop(parts.pop()),
+            name => parts.push(name),
+        }
+    }
+    parts.join("/")
 }
 
 #[test]

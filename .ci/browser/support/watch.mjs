@@ -27,7 +27,7 @@ export async function watch(context) {
   });
   context.on("requestfailed", (request) => {
     const { errorText } = request.failure();
-    // The page itself ends a round of requests nobody waits for any more.
+    // The page aborts a round whose answer it no longer needs.
     const isGivenUp = errorText === "net::ERR_ABORTED" && request.url().startsWith(`${base}/v1/`);
     if (!isGivenUp) faults.push(`no answer: ${request.url()} ${errorText}`);
   });

@@ -1,0 +1,56 @@
+// The results of the API: their names and units on the page.
+
+import { significant, withUnit } from "../numbers/format.js";
+
+/** @import { Method } from "../api/types.js" */
+
+/**
+ * @typedef {object} Quantity
+ * @property {string} name
+ * @property {string} unit
+ * @property {number} factor takes SI to the unit
+ */
+
+/** @type {Record<string, Quantity>} */
+export const QUANTITIES = {
+  longitudinal_force_n: { name: "Drawbar pull", unit: "N", factor: 1 },
+  normal_force_n: { name: "Normal force", unit: "N", factor: 1 },
+  torque_n_m: { name: "Torque", unit: "N·m", factor: 1 },
+  sinkage_m: { name: "Sinkage", unit: "mm", factor: 1e3 },
+  slip: { name: "Slip", unit: "%", factor: 100 },
+  drawbar_coefficient: { name: "Drawbar coefficient", unit: "", factor: 1 },
+  tractive_efficiency: { name: "Tractive efficiency", unit: "%", factor: 100 },
+  traction_n: { name: "Traction", unit: "N", factor: 1 },
+  resistance_n: { name: "Resistance", unit: "N", factor: 1 },
+  normal_support_n: { name: "Normal support", unit: "N", factor: 1 },
+  shear_support_n: { name: "Shear support", unit: "N", factor: 1 },
+  lateral_force_n: { name: "Lateral force", unit: "N", factor: 1 },
+  lateral_coefficient: { name: "Lateral coefficient", unit: "", factor: 1 },
+  overturning_moment_n_m: { name: "Overturning moment", unit: "N·m", factor: 1 },
+  aligning_moment_n_m: { name: "Aligning moment", unit: "N·m", factor: 1 },
+  sinkage_modulus: { name: "Sinkage modulus", unit: "kPa/mᴺ", factor: 1e-3 },
+  sinkage_exponent: { name: "Sinkage exponent", unit: "", factor: 1 },
+  shearing_radius_m: { name: "Shearing radius", unit: "mm", factor: 1e3 },
+};
+
+/** @type {Record<Method, string>} */
+export const METHOD_NAMES = { quadrature: "Quadrature", linearised: "Linearised", explicit: "Explicit" };
+
+export const METHODS = /** @type {Method[]} */ (Object.keys(METHOD_NAMES));
+
+/**
+ * The page's name of a method that the API names.
+ * @param {string} method
+ */
+export const methodName = (method) => METHOD_NAMES[/** @type {Method} */ (method)];
+
+/**
+ * A result as text, or a dash where there is none.
+ * @param {string} name
+ * @param {number | null | undefined} value
+ */
+export function quantity(name, value) {
+  if (value === null || value === undefined) return "–";
+  const { unit, factor } = QUANTITIES[name];
+  return withUnit(significant(value * factor), unit);
+}

@@ -1,0 +1,119 @@
+// What one round asks: the forces, the stresses along the contact, and the sweep over slip, by one method or all.
+
+import { Problem } from "../api/client.js";
+import { post } from "../api/endpoints.js";
+import { compareBody, forcesBody, profileBody, sweepBody } from "../state/bodies.js";
+
+/** @import { Drawn } from "../api/endpoints.js" */
+/** @import { Comparison, Forces, Method, SlipSweep, StressProfile, SweepColumns } from "../api/types.js" */
+/** @import { Settings } from "../state/settings.js" */
+
+/**
+ * An answer or a problem, with the request.
+ * @template Answer
+ * @typedef {{ path: string, body: object, answer: Answer, problem?: undefined } | { path: string, body: object, answer?: undefined, problem: Problem }} Outcome
+ */
+
+/** @typedef {SlipSweep | Comparison} Sweep */
+/** @typedef {{ method: string, columns: SweepColumns, gap_to_quadrature?: Comparison["series"][number]["gap_to_quadrature"] }} Series */
+/** @typedef {{ method: Method, forces: Outcome<Forces> }} MethodOutcome */
+
+/**
+ * @typedef {object} Outcomes
+ * @property {Outcome<Forces>} forces by the chosen method
+ * @property {Outcome<Sweep>} sweep
+ * @property {Outcome<StressProfile>} profile
+ * @property {MethodOutcome[]} byMethod the forces by all methods asked for
+ * @property {Series[]} series their curves
+ */
+
+/**
+ * A problem is an outcome like an answer. Only a missing answer ends the round.
+ * @template {keyof Drawn} Path
+ * @param {Path} path
+ * @param {Drawn[Path]["body"]} body
+ * @param {AbortSignal} signal
+ * @returns {Promise<Outcome<Drawn[Path]["answer"]>>}
+ */
+async function outcomeOf(path, body, signal) {
+  try {
+    return { path, body, answer: await post(path, body, signal) };
+  } catch (error) {
+    if (error instanceof Problem) return { path, body, problem: error };
+    throw error;
+  }
+}
+
+/**
+ * Where a load is given, the profile waits for the sinkage that the chosen method finds, so that both belong together.
+ * @param {Settings} settings
+ * @param {Promise<Outcome<Forces>>} forces
+ * @param {AbortSignal} signal
+ * @returns {Promise<Outcome<StressProfile>>}
+ */
+async function profileOutcome(settings, forces, signal) {
+  /** @param {number} [sinkage] */
+  const ask = (sinkage) => outcomeOf("/v1/stress-profile", profileBody(settings, sinkage), signal);
+  if (settings.givenName !== "normal_load_n") return ask();
+  const outcome = await forces;
+  return outcome.problem ? outcome : ask(outcome.answer.sinkage_m);
+}
+
+/**
+ * The curves of all methods in one request, so that they and their gaps belong together.
+ * @param {Settings} settings
+ * @param {AbortSignal} signal
+ * @returns {Promise<Outcome<Sweep>>}
+ */
+const sweepOutcome = (settings, signal) => (settings.methods.length > 1
+  ? outcomeOf("/v1/compare", compareBody(settings), signal)
+  : outcomeOf("/v1/slip-sweep", sweepBody(settings, settings.method), signal));
+
+/**
+ * The curves of each method, and their gaps to the integral where there are several.
+ * @param {Outcome<Sweep>} sweep
+ * @returns {Series[]}
+ */
+function seriesOf({ answer }) {
+  if (!answer) return [];
+  return "series" in answer ? answer.series : [{ method: answer.method, columns: answer.columns }];
+}
+
+/**
+ * A value that neither the catalogue nor the page has is asked for once, not by every part of the page.
+ * @param {Settings} settings
+ * @param {AbortSignal} signal
+ * @returns {Promise<Outcomes | null>} null where nothing is refused after all
+ */
+async function refusal(settings, signal) {
+  const forces = await outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
+  return forces.problem ? { forces, sweep: forces, profile: forces, byMethod: [], series: [] } : null;
+}
+
+/**
+ * @param {Settings} settings
+ * @param {AbortSignal} signal
+ * @returns {Promise<Outcomes>}
+ */
+export async function askAll(settings, signal) {
+  const refused = settings.isLacking ? await refusal(settings, signal) : null;
+  if (refused) return refused;
+  const asked = new Map(settings.methods.map((method) => [method, outcomeOf("/v1/forces", forcesBody(settings, method), signal)]));
+  const chosen = asked.get(settings.method) ?? outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
+  const [forces, profile, sweep, ...byMethod] = await Promise.all([
+    chosen,
+    profileOutcome(settings, chosen, signal),
+    sweepOutcome(settings, signal),
+    ...[...asked].map(async ([method, outcome]) => ({ method, forces: await outcome })),
+  ]);
+  return { forces, sweep, profile, byMethod, series: seriesOf(sweep) };
+}
+
+/**
+ * The faults of the chosen method's outcomes, each once, though several requests may have it.
+ * @param {Outcomes} outcomes
+ */
+export function faultsOf({ forces, sweep, profile }) {
+  const faults = [forces, sweep, profile].flatMap(({ problem }) => problem?.faults ?? []);
+  return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
+}

@@ -1,0 +1,61 @@
+// The requests with measurements. The settings of the page complete them.
+
+import { options } from "./bodies.js";
+
+/** @import { TrackAsked } from "../api/endpoints.js" */
+/** @import { FitData, FitParameter, IdentifyRequest, Soil, TrackColumns } from "../api/types.js" */
+/** @import { GivenName, Settings } from "./settings.js" */
+
+/**
+ * The moduli of any law but the direct one, whose exponents stay.
+ * @typedef {{ law: string, k_c?: number, k_phi?: number, k?: number, m?: number, unit_weight_n_m3?: number }} Moduli
+ */
+
+/**
+ * To fit K_s, the service replaces a preset's law by the direct one. For a law that is spelt out, the page does so.
+ * @param {Soil} soil
+ * @param {FitParameter[]} fit
+ * @returns {Soil}
+ */
+function withFittedLaw(soil, fit) {
+  const own = soil.pressure_sinkage;
+  if (!own || own.law === "direct" || !fit.includes("k_s")) return soil;
+  const { k_c, k_phi, k, m, unit_weight_n_m3, ...exponents } = /** @type {Moduli} */ (own);
+  return { ...soil, pressure_sinkage: /** @type {Soil["pressure_sinkage"]} */ ({ ...exponents, law: "direct" }) };
+}
+
+/**
+ * The values on the page are taken as known, and the search starts from them.
+ * @param {Settings} settings
+ * @param {FitParameter[]} fit
+ * @param {FitData} data
+ * @returns {IdentifyRequest}
+ */
+export function identifyBody(settings, fit, data) {
+  const { soil, ...common } = settings.common;
+  return { ...common, soil: withFittedLaw(soil, fit), method: settings.method, ...options(settings, settings.method), fit, data };
+}
+
+/** @typedef {"measured" | "measured_load" | "load" | "static" | "page"} SinkageSource the last three are set on the page */
+
+/** @type {Record<GivenName, SinkageSource>} */
+const SOURCES = { sinkage_m: "page", normal_load_n: "load", static_sinkage_m: "static" };
+
+/**
+ * A track with the settings of the page. Measured values take precedence.
+ * @param {Settings} settings
+ * @param {TrackColumns} track
+ * @returns {TrackAsked & { sinkageFrom: SinkageSource }}
+ */
+export function trackRequest(settings, track) {
+  const shared = { ...settings.common, ...settings.brakingLaw, method: settings.method, ...options(settings, settings.method) };
+  const { sinkage_m: sinkage, ...given } = settings.given;
+  if (track.sinkage_m) {
+    // A measured torque still needs the load.
+    const load = settings.givenName === "normal_load_n" && !track.normal_load_n ? given : {};
+    return { settings: { ...shared, ...load }, columns: track, sinkageFrom: "measured" };
+  }
+  if (track.normal_load_n) return { settings: shared, columns: track, sinkageFrom: "measured_load" };
+  const columns = sinkage === undefined ? track : { ...track, sinkage_m: (track.time_s ?? []).map(() => sinkage) };
+  return { settings: { ...shared, ...given }, columns, sinkageFrom: SOURCES[settings.givenName] };
+}

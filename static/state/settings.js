@@ -1,0 +1,159 @@
+// From the choices on the page and the catalogue to the parts of the API's requests.
+
+import { siFromText, typingAdvice } from "../quantities/field-values.js";
+import { FIELDS } from "../quantities/fields.js";
+import { METHODS } from "../quantities/results.js";
+import { activeGroups, contextOf } from "./preset.js";
+
+/** @import { Catalogue, Contact, FieldFault, ForcesRequest, Method, Soil, Wheel } from "../api/types.js" */
+/** @import { Field } from "../quantities/fields.js" */
+/** @import { State } from "./choices.js" */
+/** @import { Context } from "./preset.js" */
+
+/** @typedef {Record<string, number | string | undefined>} Values by the API's names */
+/** @typedef {FieldFault & { local: true }} TypingFault */
+/** @typedef {"sinkage_m" | "normal_load_n" | "static_sinkage_m"} GivenName */
+/** @typedef {Pick<ForcesRequest, GivenName | "slip_sinkage">} GivenPart */
+
+/**
+ * @typedef {object} Settings
+ * @property {TypingFault[]} unreadable fields whose text is no number: such a state has no request
+ * @property {string} law
+ * @property {boolean} isLacking the catalogue lacks a value, and it has not been typed
+ * @property {{ wheel: Wheel, soil: Soil, contact?: Contact }} common
+ * @property {number} slip
+ * @property {GivenPart} given
+ * @property {GivenName} givenName
+ * @property {Pick<ForcesRequest, "braking">} brakingLaw
+ * @property {Pick<ForcesRequest, "slip_angle_rad">} slipAngle
+ * @property {Method} method
+ * @property {Method[]} methods all that are asked for
+ * @property {"rim" | "shearing"} normalStressRadius
+ * @property {"" | "geometric" | "half"} peakSinkage
+ * @property {Pick<ForcesRequest, "lambda_a" | "lambda_b">} lambdas
+ * @property {boolean} braking
+ * @property {{ radius: number | null, lugHeight: number, lugCount: number | null }} drawing
+ */
+
+/** @type {Record<State["by"], GivenName>} */
+const GIVEN = { sinkage: "sinkage_m", load: "normal_load_n", static: "static_sinkage_m" };
+const LAW_GROUPS = ["bekker", "direct", "reece", "diameter"];
+const SHEAR_GROUPS = ["residual", "peak"];
+const CONTACT_GROUPS = ["wong_reece", "contact"];
+
+/** @param {Field} field */
+const apiName = ({ pointer }) => pointer.slice(pointer.lastIndexOf("/") + 1);
+
+/**
+ * The fields that matter, with the values that were typed into them and the texts that are none.
+ * @param {State} state
+ * @param {Context} context
+ */
+function readFields(state, context) {
+  const groups = activeGroups(state, context);
+  const active = FIELDS.filter((field) => groups.has(field.group));
+  /** @type {TypingFault[]} */
+  const unreadable = [];
+  /** @type {Map<Field, number | string>} */
+  const typed = new Map();
+  for (const field of active) {
+    const text = state[field.key];
+    if (text === null) continue;
+    const value = siFromText(field, text);
+    if (value === null) unreadable.push({ pointer: field.pointer, local: true, detail: typingAdvice(field, text, context) });
+    else typed.set(field, value);
+  }
+
+  /** @param {Field} field */
+  const valueOf = (field) => typed.get(field) ?? field.base(context) ?? undefined;
+  /** @param {Field[]} fields @returns {Values} */
+  const valuesOf = (fields) => Object.fromEntries(fields.map((field) => [apiName(field), valueOf(field)]));
+  /** @param {string[]} names */
+  const touched = (...names) => active.filter((field) => names.includes(field.group) && typed.has(field));
+  return {
+    groups,
+    unreadable,
+    isLacking: active.some((field) => !field.blank && valueOf(field) === undefined),
+    /** @param {string[]} names */
+    isTouched: (...names) => touched(...names).length > 0,
+    /** The typed values of groups. @param {string[]} names */
+    overrides: (...names) => valuesOf(touched(...names)),
+    /** All values of groups. @param {string[]} names */
+    complete: (...names) => valuesOf(active.filter((field) => names.includes(field.group))),
+  };
+}
+
+/** @typedef {ReturnType<typeof readFields>} Fields */
+
+/**
+ * The API takes a law as a whole, so one changed value of it takes the preset's others along.
+ * @param {State} state
+ * @param {Context} context
+ * @param {Fields} fields
+ */
+function soilOf(state, context, { isTouched, overrides, complete }) {
+  /** @type {Values & { shear?: Values, pressure_sinkage?: Values }} */
+  const soil = { preset: state.soil, ...overrides("strength", "janosi_hanamoto") };
+  if (state.shear !== null || isTouched(...SHEAR_GROUPS)) soil.shear = { law: context.shearLaw, ...complete(...SHEAR_GROUPS) };
+  // Spelling out a preset's incomplete law lets the API name the moduli that are missing.
+  const isIncomplete = context.soil?.missing.includes("pressure_sinkage");
+  if (state.law !== null || isIncomplete || isTouched(context.law, "exponent")) {
+    soil.pressure_sinkage = { law: context.law, ...complete(...LAW_GROUPS), ...complete("exponent") };
+  }
+  return /** @type {Soil} */ (soil);
+}
+
+/**
+ * @param {State} state
+ * @param {Context} context
+ * @param {Fields} fields
+ */
+function commonOf(state, context, fields) {
+  const wheel = /** @type {Wheel} */ ({ preset: state.wheel, ...fields.overrides("wheel") });
+  const common = { wheel, soil: soilOf(state, context, fields) };
+  if (state.rule === null && !fields.isTouched(...CONTACT_GROUPS)) return common;
+  return { ...common, contact: /** @type {Contact} */ ({ rule: context.rule, ...fields.complete(...CONTACT_GROUPS) }) };
+}
+
+/**
+ * @param {State} state
+ * @param {Fields} fields
+ */
+function givenOf(state, { complete }) {
+  const hasOwnLaw = state.by === "static" && state.slip_sinkage !== "lyasko";
+  const law = hasOwnLaw && { slip_sinkage: { law: state.slip_sinkage, ...complete("linear") } };
+  return /** @type {GivenPart} */ ({ ...complete(state.by), ...law });
+}
+
+/**
+ * Everything a round of requests needs. Every value that can be read is sent as it is: judging it is the API's part.
+ * @param {State} state
+ * @param {Catalogue} catalogue
+ * @returns {Settings}
+ */
+export function settingsOf(state, catalogue) {
+  const context = contextOf(state, catalogue);
+  const fields = readFields(state, context);
+  return {
+    unreadable: fields.unreadable,
+    law: context.law,
+    isLacking: fields.isLacking,
+    common: commonOf(state, context, fields),
+    slip: Number(fields.complete("slip").slip),
+    given: givenOf(state, fields),
+    givenName: GIVEN[state.by],
+    brakingLaw: fields.groups.has("braking_law") && state.braking_law !== "one_zone" ? { braking: state.braking_law } : {},
+    slipAngle: fields.overrides("slip_angle"),
+    method: state.method,
+    methods: state.compare ? METHODS : [state.method],
+    normalStressRadius: state.normal_stress_radius,
+    peakSinkage: state.peak_sinkage,
+    lambdas: /** @type {Settings["lambdas"]} */ (fields.overrides("explicit")),
+    braking: context.braking,
+    drawing: {
+      radius: context.radius ?? null,
+      lugHeight: Number(fields.complete("wheel").lug_height_m ?? 0),
+      lugCount: context.wheel?.values.lug_count?.value ?? null,
+    },
+  };
+}
