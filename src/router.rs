@@ -11,7 +11,7 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
 use crate::api::{
-    catalogue, compare, coupled, forces, health, identify, model, resistances, slip_sweep, stress_profile, towed, track,
+    catalogue, compare, coupled, forces, health, identify, limits, model, resistances, slip_sweep, stress_profile, towed, track,
     validation,
 };
 use crate::contract::{self, Contract};
@@ -41,6 +41,7 @@ fn operations() -> OpenApiRouter<Service> {
         .routes(routes!(validation::validation))
         .routes(routes!(validation::validation_set))
         .routes(routes!(model::model))
+        .routes(routes!(limits::limits))
         .routes(routes!(health::healthz))
         .routes(routes!(health::readyz))
         .routes(routes!(health::metrics))

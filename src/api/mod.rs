@@ -6,6 +6,7 @@ pub(crate) mod coupled;
 pub(crate) mod forces;
 pub(crate) mod health;
 pub(crate) mod identify;
+pub(crate) mod limits;
 pub(crate) mod model;
 pub(crate) mod resistances;
 pub(crate) mod responses;

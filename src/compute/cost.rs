@@ -27,29 +27,58 @@ const ALLOWANCE: f64 = 1e9;
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
 const SOLVED: f64 = 60e6;
 
-/// What one operating point costs.
-struct Point {
+/// What one operating point costs, in nanoseconds.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Point {
+    /// The kind of work, in words.
+    pub(crate) work: &'static str,
     usual: f64,
     /// Among many.
     price: f64,
 }
 
+const fn point(work: &'static str, usual: f64, price: f64) -> Point {
+    Point { work, usual, price }
+}
+
+/// Each method with a sinkage that is known, and with one that is solved for a load.
+const POINTS: [[Point; 2]; 3] = [
+    [point("a closed form", 300.0, 2e3), point("a closed form under a load", 2e3, 30e3)],
+    [point("the quadrature", 4e3, 80e3), point("the quadrature under a load", 20e3, 300e3)],
+    [point("the quadrature at a slip angle", 20e3, 300e3), point("the quadrature at a slip angle under a load", 200e3, 3e6)],
+];
+
 impl Point {
     fn of(operation: &Operation) -> Self {
-        let is_solved = matches!(operation.sinkage, Sinkage::CarryingLoad(_));
-        let (usual, price) = match (operation.model.method, is_solved) {
-            (Method::Linearised { .. } | Method::Explicit { .. }, false) => (300.0, 2e3),
-            (Method::Linearised { .. } | Method::Explicit { .. }, true) => (2e3, 30e3),
-            (Method::Quadrature, false) => (4e3, 80e3),
-            (Method::Quadrature, true) => (20e3, 300e3),
-            (Method::SideSlipping(_), false) => (20e3, 300e3),
-            (Method::SideSlipping(_), true) => (200e3, 3e6),
+        let by_method = match operation.model.method {
+            Method::Linearised { .. } | Method::Explicit { .. } => &POINTS[0],
+            Method::Quadrature => &POINTS[1],
+            Method::SideSlipping(_) => &POINTS[2],
         };
-        Self { usual, price }
+        by_method[usize::from(matches!(operation.sinkage, Sinkage::CarryingLoad(_)))]
+    }
+
+    /// Every kind.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        POINTS.into_iter().flatten()
+    }
+
+    /// The price of one of many points, with that of writing its row.
+    pub(crate) fn price(&self) -> Duration {
+        duration(self.price + Self::ROW)
     }
 
     /// Of writing its row.
     const ROW: f64 = 2e3;
+}
+
+/// What goes on top of the price of several points.
+pub(crate) fn allowance() -> Duration {
+    duration(ALLOWANCE)
+}
+
+fn duration(nanoseconds: f64) -> Duration {
+    Duration::try_from_secs_f64(1e-9 * nanoseconds).unwrap_or(Duration::MAX)
 }
 
 impl Cost {
@@ -72,7 +101,7 @@ impl Cost {
 
     /// Of one operating point.
     pub(crate) fn of_point(operation: &Operation) -> Self {
-        let Point { usual, price } = Point::of(operation);
+        let Point { usual, price, .. } = Point::of(operation);
         let is_solved = matches!(operation.sinkage, Sinkage::CarryingLoad(_));
         Self { usual: usual + Point::ROW, price: if is_solved { SOLVED } else { price } }
     }
@@ -160,6 +189,6 @@ impl Cost {
 
     /// The price.
     pub(super) fn price(self) -> Duration {
-        Duration::try_from_secs_f64(1e-9 * self.price).unwrap_or(Duration::MAX)
+        duration(self.price)
     }
 }

@@ -6,6 +6,6 @@ mod pace;
 mod pool;
 mod turns;
 
-pub(crate) use cost::Cost;
+pub(crate) use cost::{Cost, Point, allowance};
 pub(crate) use pace::{Pace, SLICE, Stop};
-pub(crate) use pool::{Place, Pool, PoolBounds};
+pub(crate) use pool::{OVERDRAFT, Place, Pool, PoolBounds};

@@ -15,7 +15,7 @@ use super::turns::{Class, Turns};
 use crate::problem::Problem;
 
 /// How many times its price work may cost.
-const OVERDRAFT: u32 = 2;
+pub(crate) const OVERDRAFT: u32 = 2;
 
 /// Places for short work, for each place for long work: they take next to no memory and are soon free again.
 const SHORT_PLACES: usize = 4;

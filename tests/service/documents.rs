@@ -55,6 +55,7 @@ fn the_document_has_the_routes_of_the_api() {
         "get /openapi.json",
         "get /readyz",
         "get /v1/forces",
+        "get /v1/limits",
         "get /v1/model",
         "get /v1/resistances",
         "get /v1/slip-sweep",

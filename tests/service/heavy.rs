@@ -56,6 +56,17 @@ fn a_price_above_the_limit_is_refused_before_the_work() {
     let server = Server::start(&["--price-limit", "1"]);
     let answer = server.ask("/v1/slip-sweep", Some(&stiff(2).to_string()));
     assert!(answer.starts_with("HTTP/1.1 422 ") && answer.contains("problem:too-costly"), "{answer}");
+    // It is the price that is published.
+    let published = server.ask("/v1/limits", None);
+    let published: Value = serde_json::from_str(published.split("\r\n\r\n").nth(1).expect("a body")).expect("JSON");
+    let price = &published["price"];
+    assert_eq!(price["limit_s"], 1.0);
+    let points = price["points"].as_array().expect("a list");
+    let point = points.iter().find(|point| point["work"] == "the quadrature under a load").expect("its price");
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let told = answer.split("is priced at ").nth(1).and_then(|rest| rest.split(' ').next()).expect("the price");
+    let told: f64 = told.parse().expect("a number");
+    assert!((told - number(&price["allowance_s"]) - 2.0 * number(&point["price_s"])).abs() < 1e-6, "{told} {price}");
     assert!(server.ask("/v1/forces", Some(&letter().to_string())).starts_with("HTTP/1.1 200 "));
 }
 
