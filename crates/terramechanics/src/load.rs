@@ -87,7 +87,7 @@ impl ForceModel {
 struct Balance<'a> {
     model: &'a ForceModel,
     rolling: &'a Rolling<'a>,
-    curve: PressureCurve,
+    curve: &'a PressureCurve,
     load: f64,
     /// 1/(N + 1/2).
     power: f64,

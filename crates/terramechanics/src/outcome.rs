@@ -47,8 +47,11 @@ pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + 
 
 /// The cautions that apply where the pressure–sinkage law is used.
 pub(crate) fn pressure_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
-    let plate = system.plate();
-    system.soil.pressure_sinkage().map(|law| law.cautions(&plate)).into_iter().flatten().flatten()
+    let [first, second] = match system.soil.pressure_sinkage() {
+        Some(law) => law.cautions(&system.plate()),
+        None => [None, None],
+    };
+    [first, second].into_iter().flatten()
 }
 
 /// The cautions that apply to the force across a wheel.
@@ -73,7 +76,16 @@ fn gain_cautions(system: &WheelOnSoil, slip: f64) -> [Option<Caution>; 2] {
 
 /// The cautions that apply to the outcome of `operation`.
 pub fn cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> {
-    let Operation { system, sinkage, .. } = operation;
+    cautions_with_sinkage(operation, &operation.sinkage, outcome)
+}
+
+/// The same where the sinkage is known in another way than the operation says.
+pub(crate) fn cautions_with_sinkage(
+    operation: &Operation,
+    sinkage: &Sinkage,
+    outcome: &Outcome,
+) -> impl Iterator<Item = Caution> + use<> {
+    let system = &operation.system;
     let residual = match (sinkage, outcome.normal) {
         (Sinkage::CarryingLoad(load), Some(normal)) => (normal - load).abs() / load,
         _ => 0.0,

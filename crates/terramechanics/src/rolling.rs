@@ -129,8 +129,8 @@ impl Rolling<'_> {
     /// # Errors
     /// [`Error::MissingLaw`] where the soil has no pressure–sinkage law.
     #[inline(always)] // see `WheelOnSoil::rolling`
-    pub fn curve(&self) -> Result<PressureCurve, Error> {
-        self.curve.ok_or(Error::MissingLaw(SoilLaw::PressureSinkage))
+    pub fn curve(&self) -> Result<&PressureCurve, Error> {
+        self.curve.as_ref().ok_or(Error::MissingLaw(SoilLaw::PressureSinkage))
     }
 
     /// The shear law of the soil.

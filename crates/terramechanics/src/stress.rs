@@ -17,7 +17,7 @@ pub struct StressField<'a> {
     /// The contact.
     pub patch: &'a ContactPatch<'a>,
     /// The pressure of the soil over depth.
-    pub curve: PressureCurve,
+    pub curve: &'a PressureCurve,
 }
 
 /// Stresses at one place of the rim.

@@ -199,7 +199,7 @@ impl Shearing for TwoZones<'_> {
 /// The arcs of a contact.
 pub(super) struct Rim<'a> {
     pub(super) patch: &'a ContactPatch<'a>,
-    pub(super) curve: PressureCurve,
+    pub(super) curve: &'a PressureCurve,
     /// θ1 − θm, θm − θ2 and θ1 − θ2.
     pub(super) front: f64,
     pub(super) rear: f64,

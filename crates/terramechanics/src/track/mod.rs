@@ -26,7 +26,7 @@ use crate::error::Error;
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::fault::InvalidInput;
 use crate::operation::{Operation, Sinkage};
-use crate::outcome::cautions;
+use crate::outcome::cautions_with_sinkage;
 use crate::slip::Heading;
 use reached::{Reached, Uncoupled};
 use refusal::{Refused, present};
@@ -183,8 +183,7 @@ impl Tracker {
             None => {}
         }
         self.backward |= heading == Heading::Backward;
-        let operation = Operation { sinkage, ..self.operation };
-        CautionTally::count(&mut self.cautions, index, cautions(&operation, &outcome));
+        CautionTally::count(&mut self.cautions, index, cautions_with_sinkage(&self.operation, &sinkage, &outcome));
         row
     }
 

@@ -4,7 +4,7 @@ use super::refusal::{Refused, positive, present};
 use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
 use crate::coupled::{Coupled, CoupledForces};
 use crate::error::Error;
-use crate::operation::{Operation, Sinkage};
+use crate::operation::Sinkage;
 use crate::outcome::Outcome;
 use crate::slip::{Heading, Motion, Slip};
 
@@ -38,10 +38,9 @@ impl Tracker {
             Sinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
         }
         let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
-        let operation = Operation { sinkage: sample.sinkage, ..self.operation };
-        let point = operation.at(motion.slip).map_err(unsolved)?;
+        let point = self.operation.with_sinkage(motion.slip, &sample.sinkage).map_err(unsolved)?;
         let forces = point.forces.heading(motion.heading);
-        let wheel = &operation.system.wheel;
+        let wheel = &self.operation.system.wheel;
         let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
         if power.is_infinite() {
             return Err(unsolved(Error::NotFinite));
