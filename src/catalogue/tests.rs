@@ -140,8 +140,8 @@ fn every_entry_computes_or_says_what_it_lacks() {
             friction_angle: value("friction_angle_rad"),
             shear: record
                 .shear()
-                .unwrap_or_else(|| ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: value("shear_modulus_m") })),
-            pressure_sinkage: law,
+                .or_else(|| Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: value("shear_modulus_m") }))),
+            pressure_sinkage: Some(law),
             unit_weight: record.number("unit_weight_n_m3"),
             lateral_shear_modulus: record.number("lateral_shear_modulus_m"),
         })

@@ -1,9 +1,9 @@
 //! The contact of a request.
 
-use terramechanics::{Contact, ContactParams, PeakRule};
+use terramechanics::{Contact, ContactParams, PeakRule, WongReece};
 use utoipa::openapi::{RefOr, Schema};
 
-use super::variants::numbers_of;
+use super::variants::{made, numbers_of};
 use crate::wire::{Choice, Field, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 /// The rules for the angle of maximum stress and their parameters.
@@ -25,9 +25,9 @@ wire_object! {
     /// Where the stresses are largest and where the contact ends: θm by the rule, θ2 = c3 θ1.
     ContactDto as "Contact" with rule_schema {
         rule: String = Choice { doc: "midpoint: θm = (θ1 + θ2)/2; wong_reece: θm = (c1 + c2 s) θ1; half_sinkage: θm = arccos(1 − z/(2r)).", words: rule_names, default: None },
-        c1: f64 = Number::new("c1 of θm = (c1 + c2 s) θ1 (–).", -1.0, 2.0),
-        c2: f64 = Number::new("c2 of θm = (c1 + c2 s) θ1 (–).", -2.0, 2.0),
-        c3: f64 = Number::new("c3 of θ2 = c3 θ1 (–); negative where the contact reaches behind the lowest point.", -1.0, 0.6).or(0.0),
+        c1: f64 = Number::of(&WongReece::C1, "c1 of θm = (c1 + c2 s) θ1 (–)."),
+        c2: f64 = Number::of(&WongReece::C2, "c2 of θm = (c1 + c2 s) θ1 (–)."),
+        c3: f64 = Number::of(&Contact::EXIT_RATIO, "c3 of θ2 = c3 θ1 (–); negative where the contact reaches behind the lowest point."),
     }
 }
 
@@ -55,13 +55,11 @@ impl ContactDto {
         self.report_oddities(place);
         self.rule().required_word(place);
         let rule = self.rule().looked_up(place, |word| Variant::named(RULES, word));
-        let [c1, c2, exit_ratio] = numbers_of(rule, &[self.c1(), self.c2(), self.c3()], place);
-        let rule = match rule?.name {
-            "midpoint" => PeakRule::Midpoint,
-            "half_sinkage" => PeakRule::HalfSinkage,
-            "wong_reece" => PeakRule::WongReece { c1: c1?, c2: c2? },
-            unread => return place.unread(unread),
-        };
-        Contact::new(ContactParams { rule, exit_ratio: exit_ratio? }).map_err(|invalid| place.fault(invalid)).ok()
+        let parameters = [self.c1(), self.c2(), self.c3()];
+        let values = numbers_of(rule, &parameters, place);
+        let [_, _, exit_ratio] = values;
+        let rule = made(PeakRule::LAWS, rule?.name, &parameters, &values, place)?;
+        let exit_ratio = exit_ratio?;
+        Contact::new(ContactParams { rule, exit_ratio }).map_err(|invalid| place.fault(invalid)).ok()
     }
 }

@@ -4,15 +4,19 @@ use terramechanics::{Coupled, Motion, WheelOnSoil};
 
 use super::motion::MotionEntries;
 use super::operation::{self, checked_contact, normal_stress_radius_of, within_wheel};
+use super::soil::Needs;
 use super::{ContactDto, Request, SoilDto, WheelDto};
 use crate::wire::{Number, Scope, wire_object};
 
-const NORMAL_LOAD: Number = Number::new("Vertical load W on the wheel (N), as measured.", 1e-9, 1e12).required();
-const TORQUE: Number = Number::new(
+const NORMAL_LOAD: Number =
+    Number::within(&WheelOnSoil::NORMAL_LOAD, "Vertical load W on the wheel (N), as measured.").required();
+const TORQUE: Number = Number::within(
+    &WheelOnSoil::TORQUE,
     "Torque T about the axle (N·m), where it was measured, in the direction of the angular velocity; else it follows from the load.",
-    -1e12,
-    1e12,
 );
+
+/// The pressure–sinkage law cancels.
+const NEEDS: Needs = Needs { pressure_sinkage: false, ..Needs::BOTH_LAWS };
 
 wire_object! {
     /// A wheel whose slip (`slip`, or both velocities), sinkage and load are measured, and maybe its torque. The soil's pressure–sinkage law cancels: it has no influence and may be left out.
@@ -44,7 +48,7 @@ impl Request for CoupledDto {
 
     fn check(&self, place: &Scope<'_>) -> Option<CoupledQuery> {
         let wheel = self.wheel().required(place).and_then(|dto| dto.check(&place.field(self.wheel().name)));
-        let soil = self.soil().required(place).and_then(|dto| dto.with_any_law().0.check(&place.field(self.soil().name)));
+        let soil = self.soil().required(place).and_then(|dto| dto.check(&place.field(self.soil().name), NEEDS));
         let contact = checked_contact(&self.contact(), place, soil.and_then(|(_, measured)| measured));
         let motion = MotionEntries {
             slip: self.slip(),

@@ -2,11 +2,12 @@
 
 use super::method::{MethodEntries, braking_law, takes_two_zones};
 use super::side_slip::SideSlipEntries;
+use super::soil::Needs;
 use super::{ContactDto, SlipSinkageDto, SoilDto, WheelDto};
 use crate::wire::{Choice, Entry, LambdaSpec, Nested, Number, Scope, in_millimetres};
 use terramechanics::{
-    Braking, Contact, Error, ForceModel, Method, NormalStressRadius, Operation, PeakDepth, Sinkage, SlipSinkage, Wheel,
-    WheelOnSoil,
+    Braking, Contact, Error, ForceModel, Method, NormalStressRadius, Operation, PeakDepth, Sinkage, Slip, SlipSinkage,
+    Velocities, Wheel, WheelOnSoil,
 };
 
 pub(super) const WHEEL: Nested<WheelDto> = Nested::required("The wheel.");
@@ -14,17 +15,20 @@ pub(super) const SOIL: Nested<SoilDto> = Nested::required("The soil.");
 pub(super) const CONTACT: Nested<ContactDto> =
     Nested::optional("The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.");
 pub(super) const FORWARD_VELOCITY: Number =
-    Number::new("Forward velocity v of the axle (m/s); with angular_velocity_rad_s instead of slip.", -1e3, 1e3);
+    Number::within(&Velocities::FORWARD, "Forward velocity v of the axle (m/s); with angular_velocity_rad_s instead of slip.");
 pub(super) const ANGULAR_VELOCITY: Number =
-    Number::new("Angular velocity ω of the wheel (rad/s), positive when it rolls forward.", -1e4, 1e4);
+    Number::within(&Velocities::ANGULAR, "Angular velocity ω of the wheel (rad/s), positive when it rolls forward.");
 pub(super) const SLIP: Number =
-    Number::new("Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", -1.0, 1.0).share();
-pub(super) const SINKAGE: Number = Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0).length();
+    Number::within(&Slip::RATIO, "Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.")
+        .share();
+pub(super) const SINKAGE: Number = Number::within(&WheelOnSoil::SINKAGE, "Sinkage z (m), at most the wheel's radius.").length();
 pub(super) const STATIC_SINKAGE: Number =
-    Number::new("Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", 1e-9, 100.0).length();
+    Number::within(&WheelOnSoil::STATIC_SINKAGE, "Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.")
+        .length();
 pub(super) const SLIP_SINKAGE: Nested<SlipSinkageDto> =
     Nested::optional("Slip–sinkage law beside static_sinkage_m; lyasko unless given.");
-pub(super) const NORMAL_LOAD: Number = Number::new("Vertical load W (N); the sinkage is solved so that F_z = W.", 1e-9, 1e12);
+pub(super) const NORMAL_LOAD: Number =
+    Number::within(&WheelOnSoil::NORMAL_LOAD, "Vertical load W (N); the sinkage is solved so that F_z = W.");
 pub(super) const METHOD: Choice = Choice {
     doc: "quadrature: the integral of the stresses; linearised: linear stresses, closed form; explicit: the letter's formulas.",
     words: || vec!["quadrature", "linearised", "explicit"],
@@ -43,9 +47,9 @@ pub(super) const PEAK_SINKAGE: Choice = Choice {
     default: None,
 };
 pub(super) const LAMBDA_A: LambdaSpec =
-    LambdaSpec { number: Number::new("λ_A of A ≈ (1 − λ_A) √(z/2r) (–).", -1.0, 1.0).or(0.0), word: EXACT };
+    LambdaSpec { number: Number::of(&terramechanics::Lambda::A, "λ_A of A ≈ (1 − λ_A) √(z/2r) (–)."), word: EXACT };
 pub(super) const LAMBDA_B: LambdaSpec =
-    LambdaSpec { number: Number::new("λ_B of B ≈ (1 + λ_B) z/(2r) (–).", -1.0, 1.0).or(0.0), word: EXACT };
+    LambdaSpec { number: Number::of(&terramechanics::Lambda::B, "λ_B of B ≈ (1 + λ_B) z/(2r) (–)."), word: EXACT };
 const EXACT: Choice = Choice { doc: "The value at which the approximation is exact.", words: || vec!["exact"], default: None };
 
 pub(super) const BRAKING: Choice = Choice {
@@ -62,6 +66,7 @@ fn braking_words() -> Vec<&'static str> {
 pub(super) struct OperationEntries<'a> {
     pub(super) wheel: Entry<'a, WheelDto>,
     pub(super) soil: Entry<'a, SoilDto>,
+    pub(super) needs: Needs,
     pub(super) contact: Entry<'a, ContactDto>,
     pub(super) sinkage: Entry<'a, f64>,
     pub(super) static_sinkage: Entry<'a, f64>,
@@ -80,6 +85,7 @@ macro_rules! operation_entries {
         OperationEntries {
             wheel: $request.wheel(),
             soil: $request.soil(),
+            needs: $crate::request::soil::Needs::BOTH_LAWS,
             contact: $request.contact(),
             sinkage: $request.sinkage_m(),
             static_sinkage: $request.static_sinkage_m(),
@@ -113,7 +119,7 @@ impl OperationEntries<'_> {
         sinkage: impl FnOnce(Option<&Wheel>) -> Option<Sinkage>,
     ) -> Option<Checked> {
         let wheel = self.wheel.required(place).and_then(|dto| dto.check(&place.field(self.wheel.name)));
-        let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name)));
+        let soil = self.soil.required(place).and_then(|dto| dto.check(&place.field(self.soil.name), self.needs));
         let contact = checked_contact(&self.contact, place, soil.and_then(|(_, measured)| measured));
         let braking = braking_law(&self.braking, place, Braking::OneZone);
         let sinkage = sinkage(wheel.as_ref());

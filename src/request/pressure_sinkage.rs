@@ -3,7 +3,7 @@
 use terramechanics::{Bekker, Diameter, Direct, PressureSinkage, Reece, SinkageExponent};
 use utoipa::openapi::{RefOr, Schema};
 
-use super::variants::numbers_of;
+use super::variants::{made, numbers_of};
 use crate::catalogue::SoilRecord;
 use crate::wire::{Choice, Field, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
@@ -27,15 +27,15 @@ wire_object! {
     /// A pressure–sinkage law σ = K_s z^N with N = n0 + n1 s, or n0 − n2 s at negative slip where n2 is given.
     PressureSinkageDto as "PressureSinkage" with law_schema {
         law: String = Choice { doc: "Name of the law.", words: law_names, default: None },
-        k_c: f64 = Number::new("Cohesive modulus: Bekker's k_c (N/m^(n+1)), may be negative, or Reece's k_c' (–).", -1e9, 1e9),
-        k_phi: f64 = Number::new("Frictional modulus: Bekker's k_phi (N/m^(n+2)) or Reece's k_phi' (–).", -1e9, 1e12),
-        k_s: f64 = Number::new("Sinkage modulus K_s (Pa/m^N).", 1e-6, 1e15),
-        unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³).", 0.0, 1e6),
-        k: f64 = Number::new("Coefficient k of Meirion-Griffith & Spenko (N/m^(n+m+2)).", 1e-6, 1e15),
-        m: f64 = Number::new("Exponent m of the wheel's diameter (–).", -10.0, 10.0),
-        n0: f64 = Number::new("Sinkage exponent without slip (–).", 1e-3, 10.0),
-        n1: f64 = Number::new("Gain of the exponent with slip (–).", -10.0, 10.0).or(0.0),
-        n2: f64 = Number::new("Gain of the exponent with skid (–): N = n0 − n2 s at s < 0; n1 holds there too unless given.", -10.0, 10.0),
+        k_c: f64 = Number::of(&Bekker::K_C, "Cohesive modulus: Bekker's k_c (N/m^(n+1)), may be negative, or Reece's k_c' (–)."),
+        k_phi: f64 = Number::of(&Bekker::K_PHI, "Frictional modulus: Bekker's k_phi (N/m^(n+2)) or Reece's k_phi' (–)."),
+        k_s: f64 = Number::of(&Direct::K_S, "Sinkage modulus K_s (Pa/m^N)."),
+        unit_weight_n_m3: f64 = Number::of(&Reece::UNIT_WEIGHT, "Unit weight γ (N/m³)."),
+        k: f64 = Number::of(&Diameter::K, "Coefficient k of Meirion-Griffith & Spenko (N/m^(n+m+2))."),
+        m: f64 = Number::of(&Diameter::M, "Exponent m of the wheel's diameter (–)."),
+        n0: f64 = Number::of(&SinkageExponent::BASE, "Sinkage exponent without slip (–)."),
+        n1: f64 = Number::of(&SinkageExponent::SLIP_GAIN, "Gain of the exponent with slip (–)."),
+        n2: f64 = Number::of(&SinkageExponent::SKID_GAIN, "Gain of the exponent with skid (–): N = n0 − n2 s at s < 0; n1 holds there too unless given."),
     }
 }
 
@@ -44,11 +44,6 @@ pub(super) fn is_among(fitted: &[(&'static str, f64)], name: &str) -> bool {
 }
 
 impl PressureSinkageDto {
-    /// A law that is as good as any other, for what all of them cancel in.
-    pub(super) fn any() -> Self {
-        Self { law: Field::Given("direct".to_owned()), k_s: Field::Given(1e6), n0: Field::Given(1.0), ..Self::default() }
-    }
-
     /// The law of which all moduli are fitted, with the exponents of the preset; none where the moduli or n0 would be lacking.
     pub(super) fn of_fitted(preset: Option<&SoilRecord>, fitted: &[(&'static str, f64)]) -> Option<Self> {
         let has = |name: &str| is_among(fitted, name);
@@ -95,14 +90,7 @@ impl PressureSinkageDto {
         let law = self.law().looked_up(place, |word| Variant::named(LAWS, word));
         let parameters =
             [self.k_c(), self.k_phi(), self.k_s(), self.unit_weight_n_m3(), self.k(), self.m(), self.n0(), self.n1(), self.n2()];
-        let [k_c, k_phi, k_s, unit_weight, k, m, base, slip_gain, skid_gain] = numbers_of(law, &parameters, place);
-        let exponent = SinkageExponent { base: base?, slip_gain: slip_gain?, skid_gain };
-        Some(match law?.name {
-            "bekker" => PressureSinkage::Bekker(Bekker { k_c: k_c?, k_phi: k_phi?, exponent }),
-            "direct" => PressureSinkage::Direct(Direct { k_s: k_s?, exponent }),
-            "reece" => PressureSinkage::Reece(Reece { k_c: k_c?, k_phi: k_phi?, unit_weight: unit_weight?, exponent }),
-            "diameter" => PressureSinkage::Diameter(Diameter { k: k?, m: m?, exponent }),
-            unread => return place.unread(unread),
-        })
+        let values = numbers_of(law, &parameters, place);
+        made(PressureSinkage::LAWS, law?.name, &parameters, &values, place)
     }
 }

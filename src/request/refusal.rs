@@ -1,6 +1,6 @@
 //! Refusals of the model as faults of the request.
 
-use terramechanics::{Error, Parameter, Sinkage};
+use terramechanics::{Error, Sinkage, SoilLaw};
 
 use crate::wire::FieldFault;
 
@@ -23,13 +23,15 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         | Error::NotFreeRolling { .. } => "/normal_load_n",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
         Error::NotFinite => "",
-        Error::Invalid(fault) => match fault.parameter {
-            Parameter::Slip => "/slip",
-            Parameter::SlipAngle => "/slip_angle_rad",
-            Parameter::NormalLoad => "/normal_load_n",
-            Parameter::Torque => "/torque_n_m",
-            Parameter::LambdaA => "/lambda_a",
-            Parameter::LambdaB => "/lambda_b",
+        Error::MissingLaw(SoilLaw::PressureSinkage) => "/soil/pressure_sinkage",
+        Error::MissingLaw(SoilLaw::Shear) => "/soil/shear",
+        Error::Invalid(fault) => match fault.parameter.name {
+            "slip" => "/slip",
+            "slip_angle_rad" => "/slip_angle_rad",
+            "normal_load_n" => "/normal_load_n",
+            "torque_n_m" => "/torque_n_m",
+            "lambda_a" => "/lambda_a",
+            "lambda_b" => "/lambda_b",
             _ => "",
         },
     }

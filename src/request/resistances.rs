@@ -3,11 +3,12 @@
 use terramechanics::{Contact, Slip, WheelOnSoil};
 
 use super::operation;
+use super::soil::Needs;
 use super::{Request, SoilDto, WheelDto};
 use crate::wire::{Number, Scope, wire_object};
 
-const NORMAL_LOAD: Number = Number::new("Vertical load W on the wheel (N).", 1e-9, 1e12).required();
-const SLIP: Number = Number::new("Slip ratio s (–), for the thrust alone, which needs one greater than 0.", -1.0, 1.0);
+const NORMAL_LOAD: Number = Number::within(&WheelOnSoil::NORMAL_LOAD, "Vertical load W on the wheel (N).").required();
+const SLIP: Number = Number::within(&Slip::RATIO, "Slip ratio s (–), for the thrust alone, which needs one greater than 0.");
 
 wire_object! {
     /// A wheel on a soil under a load, for Bekker's estimates.
@@ -33,8 +34,8 @@ impl Request for ResistancesDto {
         let wheel = self.wheel().required(place).and_then(|dto| dto.check(&place.field(self.wheel().name)));
         // Nothing but the thrust, which needs a slip, depends on the shear.
         let soil = self.soil().required(place).and_then(|dto| {
-            let dto = if self.slip().is_present() { dto.clone() } else { dto.with_any_shear() };
-            dto.check(&place.field(self.soil().name))
+            let needs = Needs { shear: self.slip().is_present(), ..Needs::BOTH_LAWS };
+            dto.check(&place.field(self.soil().name), needs)
         });
         let normal_load = self.normal_load_n().required_number(place);
         let slip = self.slip().checked(place).and_then(|ratio| Slip::new(ratio).ok());

@@ -1,9 +1,9 @@
 //! The shear law of a soil.
 
-use terramechanics::{ShearLaw, WongPeak, WongResidual};
+use terramechanics::{Declared, JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
 use utoipa::openapi::{RefOr, Schema};
 
-use super::variants::numbers_of;
+use super::variants::{made, numbers_of};
 use crate::wire::{Choice, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 /// The shear laws and their parameters; Janosi–Hanamoto's is the soil's `shear_modulus_m`.
@@ -25,8 +25,8 @@ wire_object! {
     /// How shear strength builds up with displacement: to the full strength and no further (Janosi–Hanamoto), over a hump to a residual, or over a peak to nothing (Wong).
     ShearDto as "Shear" with shear_schema {
         law: String = Choice { doc: "Name of the law.", words: shear_law_names, default: None },
-        residual_ratio: f64 = Number::new("Residual over largest strength K_r (–).", 1e-3, 1.0),
-        peak_displacement_m: f64 = Number::new("Shear displacement K_w at the largest strength (m).", 1e-6, 10.0).length(),
+        residual_ratio: f64 = Number::of(&WongResidual::RESIDUAL_RATIO, "Residual over largest strength K_r (–)."),
+        peak_displacement_m: f64 = Number::of(&WongPeak::PEAK_DISPLACEMENT, "Shear displacement K_w at the largest strength (m).").length(),
     }
 }
 
@@ -36,15 +36,11 @@ impl ShearDto {
         self.report_oddities(place);
         self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SHEAR_LAWS, word));
-        let [residual_ratio, peak_displacement] = numbers_of(law, &[self.residual_ratio(), self.peak_displacement_m()], place);
-        Some(match law?.name {
-            "janosi_hanamoto" => None,
-            "wong_residual" => Some(ShearLaw::WongResidual(WongResidual {
-                residual_ratio: residual_ratio?,
-                peak_displacement: peak_displacement?,
-            })),
-            "wong_peak" => Some(ShearLaw::WongPeak(WongPeak { peak_displacement: peak_displacement? })),
-            unread => return place.unread(unread),
-        })
+        let parameters = [self.residual_ratio(), self.peak_displacement_m()];
+        let values = numbers_of(law, &parameters, place);
+        match law?.name {
+            JanosiHanamoto::NAME => Some(None),
+            name => made(ShearLaw::LAWS, name, &parameters, &values, place).map(Some),
+        }
     }
 }

@@ -5,10 +5,9 @@ use terramechanics::{Bulldozing, Method, ShearCoupling, SideSlip, SlipAngle};
 use super::operation::or_none;
 use crate::wire::{Choice, Entry, Number, Scope};
 
-pub(super) const SLIP_ANGLE: Number = Number::new(
+pub(super) const SLIP_ANGLE: Number = Number::within(
+    &SlipAngle::ANGLE,
     "Slip angle β (rad) from the velocity to the heading, positive where the wheel moves to its right; quadrature only. Straight ahead unless sent; where it is, the answer has the lateral force and its moments.",
-    -SlipAngle::LARGEST,
-    SlipAngle::LARGEST,
 )
 .angle();
 pub(super) const SHEAR_COUPLING: Choice = Choice {

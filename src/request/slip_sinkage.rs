@@ -3,7 +3,7 @@
 use terramechanics::{LinearSlipSinkage, SlipSinkage};
 use utoipa::openapi::{RefOr, Schema};
 
-use super::variants::numbers_of;
+use super::variants::{made, numbers_of};
 use crate::wire::{Choice, Number, Object, Scope, Spec, Variant, tagged_schema, wire_object};
 
 /// The slip–sinkage laws and their parameters.
@@ -22,7 +22,7 @@ wire_object! {
     /// How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s).
     SlipSinkageDto as "SlipSinkage" with slip_sinkage_schema {
         law: String = Choice { doc: "Name of the law.", words: slip_sinkage_names, default: None },
-        gain: f64 = Number::new("S of the linear law (–).", 0.0, 100.0),
+        gain: f64 = Number::of(&LinearSlipSinkage::GAIN, "S of the linear law (–)."),
     }
 }
 
@@ -31,11 +31,8 @@ impl SlipSinkageDto {
         self.report_oddities(place);
         self.law().required_word(place);
         let law = self.law().looked_up(place, |word| Variant::named(SLIP_SINKAGE_LAWS, word));
-        let [gain] = numbers_of(law, &[self.gain()], place);
-        Some(match law?.name {
-            "lyasko" => SlipSinkage::Lyasko,
-            "linear" => SlipSinkage::Linear(LinearSlipSinkage { gain: gain? }),
-            unread => return place.unread(unread),
-        })
+        let parameters = [self.gain()];
+        let values = numbers_of(law, &parameters, place);
+        made(SlipSinkage::LAWS, law?.name, &parameters, &values, place)
     }
 }

@@ -1,7 +1,5 @@
 //! The soil of a request.
 
-use std::f64::consts::FRAC_PI_2;
-
 use terramechanics::{Contact, JanosiHanamoto, ShearLaw, Soil, SoilParams};
 
 use super::pressure_sinkage::{PressureSinkageDto, is_among};
@@ -14,19 +12,30 @@ wire_object! {
     /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
     SoilDto as "Soil" {
         preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
-        cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
-        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle(),
-        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0).length(),
+        cohesion_pa: f64 = Number::within(&Soil::COHESION, "Cohesion c (Pa)."),
+        friction_angle_rad: f64 = Number::within(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).").angle(),
+        shear_modulus_m: f64 = Number::within(&JanosiHanamoto::MODULUS, "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.").length(),
         pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
-        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.", 1e-6, 10.0).length(),
-        unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.", 1.0, 1e6),
+        lateral_shear_modulus_m: f64 = Number::within(&Soil::LATERAL_SHEAR_MODULUS, "Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.").length(),
+        unit_weight_n_m3: f64 = Number::within(&Soil::UNIT_WEIGHT, "Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue."),
         shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
     }
 }
 
+/// The laws that a request cannot do without; others may be absent.
+#[derive(Clone, Copy)]
+pub(crate) struct Needs {
+    pub(crate) pressure_sinkage: bool,
+    pub(crate) shear: bool,
+}
+
+impl Needs {
+    pub(crate) const BOTH_LAWS: Self = Self { pressure_sinkage: true, shear: true };
+}
+
 impl SoilDto {
     /// The soil, and the contact that the catalogue measured with it.
-    pub(crate) fn check(&self, place: &Scope<'_>) -> Option<(Soil, Option<Contact>)> {
+    pub(crate) fn check(&self, place: &Scope<'_>, needs: Needs) -> Option<(Soil, Option<Contact>)> {
         self.report_oddities(place);
         let preset = self.preset().looked_up(place, catalogue::soil);
         let unknown_preset = self.preset().is_present() && preset.is_none();
@@ -42,12 +51,16 @@ impl SoilDto {
         };
         let cohesion = value(self.cohesion_pa());
         let friction_angle = value(self.friction_angle_rad());
-        let shear = self.shear_law(place, preset, || value(self.shear_modulus_m()));
+        let shear = if needs.shear || self.has_shear(preset) {
+            self.shear_law(place, preset, || value(self.shear_modulus_m())).map(Some)
+        } else {
+            Some(None)
+        };
         let optional = |entry: Entry<'_, f64>| {
             if entry.is_present() { entry.checked(place) } else { preset.and_then(|record| record.number(entry.name)) }
         };
         // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
-        let beside_another_law = || match shear {
+        let beside_another_law = || match shear.flatten() {
             Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => optional(self.shear_modulus_m()),
             Some(ShearLaw::JanosiHanamoto(_)) | None => None,
         };
@@ -58,13 +71,13 @@ impl SoilDto {
         let unit_weight = optional(self.unit_weight_n_m3());
         let law = self.pressure_sinkage();
         let pressure_sinkage = if law.is_present() {
-            law.given(place).and_then(|dto| dto.check(&place.field(law.name)))
+            law.given(place).and_then(|dto| dto.check(&place.field(law.name))).map(Some)
         } else {
             let published = preset.and_then(SoilRecord::pressure_sinkage);
-            if published.is_none() && !unknown_preset {
+            if published.is_none() && needs.pressure_sinkage && !unknown_preset {
                 missing_law(place, law.name, preset);
             }
-            published
+            if published.is_none() && needs.pressure_sinkage { None } else { Some(published) }
         };
         let params = SoilParams {
             cohesion: cohesion?,
@@ -134,27 +147,10 @@ impl SoilDto {
         Self { shear, pressure_sinkage, ..self.clone() }
     }
 
-    /// The soil with any law where neither it nor its preset has a pressure–sinkage law, for what that law cancels in; and whether
-    /// it has one of its own.
-    pub(super) fn with_any_law(&self) -> (Self, bool) {
-        let published = self.record().is_some_and(|record| record.pressure_sinkage().is_some());
-        let mut soil = self.clone();
-        let is_known = self.pressure_sinkage().is_present() || published;
-        if !is_known {
-            soil.pressure_sinkage = Field::Given(PressureSinkageDto::any());
-        }
-        (soil, is_known)
-    }
-
-    /// The soil with any shear modulus where neither it nor its preset has a shear law, for what does not depend on the shear.
-    pub(super) fn with_any_shear(&self) -> Self {
-        let published =
-            self.record().is_some_and(|record| record.shear().is_some() || record.number("shear_modulus_m").is_some());
-        let mut soil = self.clone();
-        if !published && !self.shear().is_present() && !self.shear_modulus_m().is_present() {
-            soil.shear_modulus_m = Field::Given(0.01);
-        }
-        soil
+    /// Whether a shear law is known, here or in the catalogue.
+    fn has_shear(&self, preset: Option<&SoilRecord>) -> bool {
+        let published = preset.is_some_and(|record| record.shear().is_some() || record.number("shear_modulus_m").is_some());
+        published || self.shear().is_present() || self.shear_modulus_m().is_present()
     }
 
     /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.

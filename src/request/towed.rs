@@ -4,10 +4,11 @@ use terramechanics::{Braking, ForceModel, Method, Operation, Sinkage, WheelOnSoi
 
 use super::method::braking_law;
 use super::operation;
+use super::soil::Needs;
 use super::{ContactDto, Request, SoilDto, WheelDto};
 use crate::wire::{Choice, Number, Scope, wire_object};
 
-const NORMAL_LOAD: Number = Number::new("Vertical load W (N) that the wheel carries.", 1e-9, 1e12).required();
+const NORMAL_LOAD: Number = Number::within(&WheelOnSoil::NORMAL_LOAD, "Vertical load W (N) that the wheel carries.").required();
 const BRAKING: Choice = Choice {
     doc: "Law for the towed wheel. two_zone: Wong & Reece's, whose shear reverses at the peak of the stresses; one_zone: the displacement of a driving wheel continued.",
     default: Some("two_zone"),
@@ -36,7 +37,7 @@ impl Request for TowedDto {
 
     fn check(&self, place: &Scope<'_>) -> Option<TowedQuery> {
         let wheel = self.wheel().required(place).and_then(|dto| dto.check(&place.field(self.wheel().name)));
-        let soil = self.soil().required(place).and_then(|dto| dto.check(&place.field(self.soil().name)));
+        let soil = self.soil().required(place).and_then(|dto| dto.check(&place.field(self.soil().name), Needs::BOTH_LAWS));
         let contact = operation::checked_contact(&self.contact(), place, soil.and_then(|(_, measured)| measured));
         let load = self.normal_load_n().required_number(place);
         let braking = braking_law(&self.braking(), place, Braking::TwoZone);

@@ -6,6 +6,7 @@ use terramechanics_identification::RunningStrength;
 use super::method::MethodEntries;
 use super::operation::{self, OperationEntries};
 use super::series::Samples;
+use super::soil::Needs;
 use super::{ColumnsDto, ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto, collected};
 use crate::series::{Cells, Column, ExtraColumns, Layout};
 use crate::wire::{Asked, AskedSpec, Choice, Entry, Field, FieldFault, Lambda, Nested, Number, Object, Scope, wire_object};
@@ -59,7 +60,7 @@ impl StrengthDto {
     fn check(&self, operation: &Operation, place: &Scope<'_>) -> Option<RunningStrength> {
         self.report_oddities(place);
         let forgetting = self.forgetting_factor().or_default(place)?;
-        if !matches!(operation.system.soil.shear(), ShearLaw::JanosiHanamoto(_)) {
+        if !matches!(operation.system.soil.shear(), Some(ShearLaw::JanosiHanamoto(_))) {
             place.fault("is known for the shear law janosi_hanamoto only");
             return None;
         }
@@ -70,9 +71,9 @@ impl StrengthDto {
 wire_object! {
     /// When the wheel counts as stuck. The defaults are chosen for want of a published rule.
     ThresholdsDto as "TrackThresholds" {
-        stall_slip: f64 = Number::new("Slip (–) from which on the wheel may stall.", 0.01, 1.0).or(0.8),
-        stall_time_s: f64 = Number::new("Time (s) for which the slip has to stay there.", 0.0, 1e6).or(2.0),
-        entrapment_sinkage_ratio: f64 = Number::new("Share of the radius (–) beyond which the sinkage is an entrapment.", 0.0, 1.0).or(0.5),
+        stall_slip: f64 = Number::of(&Thresholds::STALL_SLIP, "Slip (–) from which on the wheel may stall."),
+        stall_time_s: f64 = Number::of(&Thresholds::STALL_TIME, "Time (s) for which the slip has to stay there."),
+        entrapment_sinkage_ratio: f64 = Number::of(&Thresholds::ENTRAPMENT_SINKAGE_RATIO, "Share of the radius (–) beyond which the sinkage is an entrapment."),
     }
 }
 
@@ -133,6 +134,7 @@ impl TrackDto {
         let entries = OperationEntries {
             wheel: self.wheel(),
             soil: self.soil(),
+            needs: Needs::BOTH_LAWS,
             contact: self.contact(),
             sinkage: Entry { name: "sinkage_m", field: &NONE, spec: &operation::SINKAGE },
             static_sinkage: self.static_sinkage_m(),

@@ -1,5 +1,7 @@
 //! Objects whose fields depend on the name of a law.
 
+use terramechanics::Law;
+
 use crate::wire::{Entry, Scope, Variant};
 
 /// The numbers of a tagged object: those its variant takes, checked; one it does not take is reported. Where the variant is
@@ -22,4 +24,17 @@ pub(super) fn numbers_of<const N: usize>(
             None
         }
     })
+}
+
+/// The law of that name among the model's, with the numbers of a tagged object; none where one of them was reported.
+pub(super) fn made<F, const N: usize>(
+    laws: &[Law<F>],
+    name: &str,
+    entries: &[Entry<'_, f64>; N],
+    values: &[Option<f64>; N],
+    place: &Scope<'_>,
+) -> Option<F> {
+    let Some(law) = laws.iter().find(|law| law.name == name) else { return place.unread(name) };
+    let value = |name: &str| entries.iter().zip(values).find(|(entry, _)| entry.name == name).and_then(|(_, value)| *value);
+    law.from_named(value).ok()
 }

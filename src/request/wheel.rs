@@ -9,10 +9,10 @@ wire_object! {
     /// A rigid wheel. Without `preset`, `radius_m` and `width_m` are required; with it, any field beside it overrides the catalogue's.
     WheelDto as "Wheel" {
         preset: String = Choice { doc: "A wheel of the catalogue, see /v1/wheels.", words: catalogue::wheel_ids, default: None },
-        radius_m: f64 = Number::new("Rim radius r (m).", 1e-3, 100.0).length(),
-        width_m: f64 = Number::new("Width b (m).", 1e-3, 100.0).length(),
-        lug_height_m: f64 = Number::new("Lug height h (m); 0 unless given or in the catalogue.", 0.0, 10.0).length(),
-        lug_coefficient: f64 = Number::new("Lug coefficient λ_s [–]: the shear stress acts at r + λ_s h; 0.5 unless given or in the catalogue.", 0.0, 1.0),
+        radius_m: f64 = Number::within(&Wheel::RADIUS, "Rim radius r (m).").length(),
+        width_m: f64 = Number::within(&Wheel::WIDTH, "Width b (m).").length(),
+        lug_height_m: f64 = Number::within(&Wheel::LUG_HEIGHT, "Lug height h (m); 0 unless given or in the catalogue.").length(),
+        lug_coefficient: f64 = Number::within(&Wheel::LUG_COEFFICIENT, "Lug coefficient λ_s [–]: the shear stress acts at r + λ_s h; 0.5 unless given or in the catalogue."),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use terramechanics::Parameter;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, OneOfBuilder, SchemaFormat, Type};
 use utoipa::openapi::{RefOr, Schema};
 
@@ -38,9 +39,14 @@ impl Number {
         Self { doc, min, max, open_above: false, integer: false, required: false, default: None, often_mistaken: None }
     }
 
-    /// The upper bound itself is excluded.
-    pub(crate) const fn open_above(self) -> Self {
-        Self { open_above: true, ..self }
+    /// A number with the bounds of the model's parameter.
+    pub(crate) const fn within(parameter: &Parameter, doc: &'static str) -> Self {
+        Self { open_above: parameter.is_open_above(), ..Self::new(doc, parameter.least, parameter.most) }
+    }
+
+    /// The same with the parameter's default.
+    pub(crate) const fn of(parameter: &Parameter, doc: &'static str) -> Self {
+        Self { default: parameter.default(), ..Self::within(parameter, doc) }
     }
 
     /// Only whole numbers.
@@ -229,7 +235,7 @@ mod tests {
 
     #[test]
     fn a_number_in_another_unit_is_told_what_was_probably_meant() {
-        let angle = Number::new("", 0.0, std::f64::consts::FRAC_PI_2).open_above().angle();
+        let angle = Number::within(&terramechanics::Soil::FRICTION_ANGLE, "").angle();
         assert!(said(angle, 30.0).ends_with(", not 30; it is in radians: 30° are 0.5236"));
         assert!(said(angle, 120.0).ends_with(", not 120"));
         let share = Number::new("", -1.0, 1.0).share();

@@ -55,10 +55,18 @@ impl Operation {
     /// The operating point at `slip`.
     ///
     /// # Errors
-    /// What [`WheelOnSoil::rolling`], [`Rolling::contact`], [`ForceModel::forces`] and [`ForceModel::solve_sinkage`] refuse.
+    /// What [`WheelOnSoil::rolling`], [`Rolling::curve`], [`Rolling::contact`], [`ForceModel::forces`] and
+    /// [`ForceModel::solve_sinkage`] refuse.
     pub fn at(&self, slip: Slip) -> Result<OperatingPoint, Error> {
+        self.with_sinkage(slip, &self.sinkage)
+    }
+
+    /// The operating point at `slip` where the sinkage is known in another way than the operation says.
+    #[inline]
+    pub(crate) fn with_sinkage(&self, slip: Slip, sinkage: &Sinkage) -> Result<OperatingPoint, Error> {
         let rolling = self.system.rolling(slip)?;
-        let (sinkage, solved) = self.sinkage_of(&rolling)?;
+        let curve = rolling.curve()?;
+        let (sinkage, solved) = self.found(&rolling, sinkage)?;
         let patch = rolling.contact(sinkage)?;
         let forces = match solved {
             Some(forces) => forces,
@@ -68,8 +76,8 @@ impl Operation {
             slip,
             sinkage,
             angles: patch.angles,
-            sinkage_modulus: rolling.sinkage_modulus(),
-            sinkage_exponent: rolling.sinkage_exponent(),
+            sinkage_modulus: curve.modulus,
+            sinkage_exponent: curve.exponent,
             forces,
         })
     }
@@ -79,7 +87,12 @@ impl Operation {
     /// # Errors
     /// What [`ForceModel::solve_sinkage`] refuses.
     pub fn sinkage_of(&self, rolling: &Rolling<'_>) -> Result<(f64, Option<Forces>), Error> {
-        match self.sinkage {
+        self.found(rolling, &self.sinkage)
+    }
+
+    #[inline]
+    fn found(&self, rolling: &Rolling<'_>, sinkage: &Sinkage) -> Result<(f64, Option<Forces>), Error> {
+        match *sinkage {
             Sinkage::Given(sinkage) => Ok((sinkage, None)),
             Sinkage::FromStatic { static_sinkage, law } => Ok((law.sinkage(static_sinkage, rolling.slip), None)),
             Sinkage::CarryingLoad(load) => {

@@ -244,7 +244,7 @@ impl IdentifyDto {
                 report(place.field(name), "has no meaning for the linear estimator");
             }
         }
-        if !matches!(setup.soil.shear, ShearLaw::JanosiHanamoto(_)) {
+        if !matches!(setup.soil.shear, Some(ShearLaw::JanosiHanamoto(_))) {
             report(place.field("soil").field("shear"), "the linear estimator needs janosi_hanamoto");
         }
         sound.then(|| IdentifyQuery::Linear(Box::new(query)))

@@ -1,18 +1,19 @@
 //! The forward model of a fit, from what is known and what stands in for the fitted fields.
 
-use terramechanics::{Contact, ContactParams, Operation, PeakRule, WheelOnSoil};
+use terramechanics::{Contact, ContactParams, Operation, PeakRule, WheelOnSoil, WongReece};
 use terramechanics_identification::{Setup, SinkageSource, Unknown};
 
 use super::{IdentifyDto, name_of};
 use crate::request::SoilDto;
 use crate::request::method::MethodEntries;
 use crate::request::operation::{self, OperationEntries};
+use crate::request::soil::Needs;
 use crate::wire::{Entry, Field, Scope};
 
 /// Where the pressure–sinkage law of a setup comes from.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LawOrigin {
-    /// Whether the request or the catalogue has it; else any law stands in.
+    /// Whether the request or the catalogue has it.
     pub(super) known: bool,
     /// Whether the preset's law gave way to the direct one, whose modulus is fitted.
     pub(super) replaced: bool,
@@ -43,7 +44,6 @@ impl IdentifyDto {
                 return None;
             }
         };
-        let (soil, law_known) = if needs_law { (soil, true) } else { soil.with_any_law() };
         let soil = Field::Given(soil);
         let contact = self.contact().given(place).map(|dto| dto.filled(&filling));
         let contact = contact.map_or(Field::Absent, Field::Given);
@@ -54,6 +54,7 @@ impl IdentifyDto {
         let checked = OperationEntries {
             wheel: self.wheel(),
             soil: Entry { field: &soil, name: self.soil().name, spec: self.soil().spec },
+            needs: Needs { pressure_sinkage: needs_law, ..Needs::BOTH_LAWS },
             contact: Entry { field: &contact, name: self.contact().name, spec: self.contact().spec },
             sinkage: Entry { name: "data", field: &sinkage, spec: &operation::SINKAGE },
             static_sinkage: Entry { name: "data", field: &absent, spec: &operation::STATIC_SINKAGE },
@@ -72,7 +73,7 @@ impl IdentifyDto {
         let contact = self.contact_params(&contact, fitted, start(Unknown::PeakIntercept), start(Unknown::PeakSlipGain));
         Some((
             Setup { wheel, soil: *soil.params(), contact, model, sinkage: source? },
-            LawOrigin { known: law_known, replaced: law_replaced },
+            LawOrigin { known: soil.pressure_sinkage().is_some(), replaced: law_replaced },
         ))
     }
 
@@ -84,7 +85,7 @@ impl IdentifyDto {
             PeakRule::Midpoint | PeakRule::HalfSinkage if is_fitted && !self.contact().is_present() => {
                 let c2 = if fitted.contains(&Unknown::PeakSlipGain) { c2 } else { 0.0 };
                 let c1 = if fitted.contains(&Unknown::PeakIntercept) { c1 } else { 0.5 };
-                ContactParams { rule: PeakRule::WongReece { c1, c2 }, ..params }
+                ContactParams { rule: PeakRule::WongReece(WongReece { c1, c2 }), ..params }
             }
             _ => params,
         }

@@ -1,7 +1,6 @@
 //! The numbers that can be fitted, by name, with what may be sent for each: a start, and bounds.
 
-use std::f64::consts::FRAC_PI_2;
-
+use terramechanics::{Bekker, Direct, JanosiHanamoto, Lambda, SinkageExponent, Soil, WheelOnSoil, WongReece};
 use terramechanics_identification::{Range, Unknown};
 
 use crate::wire::{Entry, Number, Object, Pair, PairSpec, Scope, wire_object};
@@ -39,18 +38,18 @@ pub(crate) fn name_of(unknown: Unknown) -> &'static str {
 }
 
 // What a request may have for the same field elsewhere.
-const COHESION: Number = Number::new("Cohesion c (Pa).", 0.0, 1e8);
-const FRICTION: Number = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle();
-const SHEAR_MODULUS: Number = Number::new("Shear deformation modulus K (m).", 1e-6, 10.0).length();
-const K_S: Number = Number::new("Sinkage modulus K_s of the direct law (Pa/m^N).", 1e-6, 1e15);
-const K_C: Number = Number::new("Cohesive modulus of Bekker's or Reece's law.", -1e9, 1e9);
-const K_PHI: Number = Number::new("Frictional modulus of Bekker's or Reece's law.", -1e9, 1e12);
-const N0: Number = Number::new("Sinkage exponent without slip (–).", 1e-3, 10.0);
-const N1: Number = Number::new("Gain of the exponent with slip (–).", -10.0, 10.0);
-const C1: Number = Number::new("c1 of θm = (c1 + c2 s) θ1 (–).", -1.0, 2.0);
-const C2: Number = Number::new("c2 of θm = (c1 + c2 s) θ1 (–).", -2.0, 2.0);
-const LAMBDA: Number = Number::new("λ of the explicit method (–).", -1.0, 1.0);
-const STATIC_SINKAGE: Number = Number::new("Static sinkage z0 (m).", 1e-9, 100.0).length();
+const COHESION: Number = Number::within(&Soil::COHESION, "Cohesion c (Pa).");
+const FRICTION: Number = Number::within(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).").angle();
+const SHEAR_MODULUS: Number = Number::within(&JanosiHanamoto::MODULUS, "Shear deformation modulus K (m).").length();
+const K_S: Number = Number::within(&Direct::K_S, "Sinkage modulus K_s of the direct law (Pa/m^N).");
+const K_C: Number = Number::within(&Bekker::K_C, "Cohesive modulus of Bekker's or Reece's law.");
+const K_PHI: Number = Number::within(&Bekker::K_PHI, "Frictional modulus of Bekker's or Reece's law.");
+const N0: Number = Number::within(&SinkageExponent::BASE, "Sinkage exponent without slip (–).");
+const N1: Number = Number::within(&SinkageExponent::SLIP_GAIN, "Gain of the exponent with slip (–).");
+const C1: Number = Number::within(&WongReece::C1, "c1 of θm = (c1 + c2 s) θ1 (–).");
+const C2: Number = Number::within(&WongReece::C2, "c2 of θm = (c1 + c2 s) θ1 (–).");
+const LAMBDA: Number = Number::within(&Lambda::A, "λ of the explicit method (–).");
+const STATIC_SINKAGE: Number = Number::within(&WheelOnSoil::STATIC_SINKAGE, "Static sinkage z0 (m).").length();
 
 wire_object! {
     /// Where the search begins, by parameter; else at the soil's value if it has one, else at a usual one.

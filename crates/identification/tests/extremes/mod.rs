@@ -6,7 +6,7 @@ use std::cell::Cell;
 
 use terramechanics::{
     ContactParams, Direct, ForceModel, JanosiHanamoto, Method, NormalStressRadius, PeakRule, PressureSinkage, ShearLaw,
-    SinkageExponent, Slip, SlipSinkage, SoilParams, Wheel, WheelParams,
+    SinkageExponent, Slip, SlipSinkage, SoilParams, Wheel, WheelParams, WongReece,
 };
 use terramechanics_identification::{
     Column, Estimate, Fit, FitError, FitOptions, FittedColumn, LinearFit, Loss, Observations, PlateCurve, PlatesError, Range,
@@ -103,7 +103,7 @@ impl<'a> Draw<'a> {
             1..4 => Method::LINEARISED,
             _ => Method::EXPLICIT,
         };
-        let rule = if self.flag() { PeakRule::Midpoint } else { PeakRule::WongReece { c1: self.share(), c2: 0.1 } };
+        let rule = if self.flag() { PeakRule::Midpoint } else { PeakRule::WongReece(WongReece { c1: self.share(), c2: 0.1 }) };
         let sinkage = match self.below(3) {
             0 => SinkageSource::Measured,
             1 => SinkageSource::Load,
@@ -114,8 +114,8 @@ impl<'a> Draw<'a> {
             soil: SoilParams {
                 cohesion: self.mostly_plain(),
                 friction_angle: 1.5 * self.share(),
-                shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: self.mostly_plain() }),
-                pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e3 * self.mostly_plain(), exponent }),
+                shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: self.mostly_plain() })),
+                pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e3 * self.mostly_plain(), exponent })),
                 unit_weight: None,
                 lateral_shear_modulus: None,
             },
