@@ -16,6 +16,9 @@ use crate::app::Service;
 
 const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
+/// The version of the model that answers, on every answer of the API.
+const MODEL_VERSION: HeaderName = HeaderName::from_static("x-model-version");
+
 /// Longest request id taken over from a client (bytes).
 const LONGEST_ID: usize = 128;
 
@@ -25,6 +28,7 @@ pub(crate) async fn observe(State(service): State<Service>, request: Request, ne
     let id = request.headers().get(REQUEST_ID).filter(|id| is_harmless(id)).cloned().unwrap_or_else(new_id);
     let method = request.method().clone();
     let route = request.extensions().get::<MatchedPath>().cloned();
+    let is_of_api = request.uri().path().starts_with("/v1/");
     let mut response = next.run(request).await;
     let duration = start.elapsed();
     let status = response.status();
@@ -34,6 +38,9 @@ pub(crate) async fn observe(State(service): State<Service>, request: Request, ne
     let headers = response.headers_mut();
     headers.insert(REQUEST_ID, id);
     headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    if is_of_api {
+        headers.insert(MODEL_VERSION, HeaderValue::from_static(terramechanics::VERSION));
+    }
     response
 }
 

@@ -8,7 +8,7 @@ use utoipa::openapi::OpenApi as Document;
 use utoipa_axum::router::OpenApiRouter;
 
 use crate::app::Service;
-use crate::{api, examples};
+use crate::{api, examples, quantity};
 
 #[derive(OpenApi)]
 #[openapi(
@@ -46,6 +46,9 @@ pub(crate) fn documented_routes() -> Router<Service> {
 #[must_use]
 pub fn document() -> Document {
     let mut document = router().into_openapi();
+    if let Some(components) = &mut document.components {
+        quantity::add_units(&mut components.schemas);
+    }
     examples::attach(&mut document);
     document
 }

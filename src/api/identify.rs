@@ -7,6 +7,7 @@ use super::responses::{InvalidBody, Limits};
 use crate::app::Service;
 use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::{IdentifyReply, PlatesReply, ShearReply};
 use crate::request::{IdentifyDto, PlatesDto, ShearTestsDto};
@@ -30,10 +31,7 @@ pub(crate) async fn identify(
 ) -> Result<Response, Problem> {
     let cost = Cost::of_identification(&query);
     let patience = service.limits().compute_deadline;
-    let work = move |_: &Pace| {
-        let reply = IdentifyReply::of(&query, patience).map_err(Problem::Invalid)?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&IdentifyReply::from(found::identify(&query, patience)?), format);
     service.pool().run(cost, work).await
 }
 
@@ -54,10 +52,7 @@ pub(crate) async fn plates(
     Input(query): Input<PlatesDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.curves.iter().map(|curve| curve.sinkage.len()).sum());
-    let work = move |_: &Pace| {
-        let reply = PlatesReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&PlatesReply::from(found::plates(&query)?), format);
     service.pool().run(cost, work).await
 }
 
@@ -78,9 +73,6 @@ pub(crate) async fn shear(
     Input(query): Input<ShearTestsDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.0.iter().map(|curve| curve.shear.len()).sum());
-    let work = move |_: &Pace| {
-        let reply = ShearReply::try_from(&query).map_err(|fault| Problem::Invalid(vec![fault]))?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&ShearReply::from(found::shear(&query)?), format);
     service.pool().run(cost, work).await
 }

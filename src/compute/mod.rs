@@ -16,7 +16,8 @@ use axum::response::{IntoResponse, Response};
 
 use crate::extract::Format;
 use crate::problem::Problem;
-use crate::reply::{Reply, csv};
+use crate::quantity::csv;
+use crate::reply::Reply;
 
 /// A reply in the format that was asked for.
 pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, Problem> {
@@ -28,8 +29,8 @@ pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, P
             // A table has no place for warnings, so their codes travel beside it, each once.
             let mut codes: Vec<&str> = Vec::new();
             for warning in reply.warnings() {
-                if !codes.contains(&warning.code) {
-                    codes.push(warning.code);
+                if !codes.contains(&warning.code()) {
+                    codes.push(warning.code());
                 }
             }
             if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))

@@ -1,167 +1,91 @@
-//! A soil and a contact as a request would spell them out.
+//! A soil and a contact as a request spells them out, so that what is answered can be sent back.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use terramechanics::{ContactParams, PeakRule, PressureSinkage, ShearLaw, SoilParams};
-use utoipa::ToSchema;
 
-/// A soil, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = FoundSoil)]
-pub(super) struct SoilBody {
-    /// Cohesion c (Pa).
-    cohesion_pa: f64,
-    /// Internal friction angle φ (rad).
-    friction_angle_rad: f64,
-    /// Shear deformation modulus K (m), where the shear law has it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    shear_modulus_m: Option<f64>,
-    /// Pressure–sinkage law, where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    pressure_sinkage: Option<LawBody>,
-    /// Shear law, where it is another than Janosi–Hanamoto's.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    shear: Option<ShearBody>,
-    /// Shear deformation modulus K_y across the direction of travel (m), where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    lateral_shear_modulus_m: Option<f64>,
-    /// Unit weight γ (N/m³), where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    unit_weight_n_m3: Option<f64>,
+/// An object of a request: its fields by name, in order.
+#[derive(Debug)]
+pub(super) struct Spelled(Vec<(&'static str, Member)>);
+
+#[derive(Debug)]
+enum Member {
+    Number(f64),
+    Word(&'static str),
+    Object(Spelled),
 }
 
-/// A pressure–sinkage law, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[serde(tag = "law", rename_all = "snake_case")]
-#[schema(as = FoundLaw)]
-enum LawBody {
-    /// Bekker's.
-    #[schema(title = "FoundLaw bekker")]
-    Bekker {
-        k_c: f64,
-        k_phi: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
-    /// A modulus as it is.
-    #[schema(title = "FoundLaw direct")]
-    Direct {
-        k_s: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
-    /// Reece's.
-    #[schema(title = "FoundLaw reece")]
-    Reece {
-        k_c: f64,
-        k_phi: f64,
-        unit_weight_n_m3: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
-    /// Meirion-Griffith & Spenko's.
-    #[schema(title = "FoundLaw diameter")]
-    Diameter {
-        k: f64,
-        m: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
+impl Serialize for Spelled {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, member)| (name, member)))
+    }
 }
 
-/// A shear law, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[serde(tag = "law", rename_all = "snake_case")]
-#[schema(as = FoundShear)]
-enum ShearBody {
-    /// Over a hump to a residual.
-    #[schema(title = "FoundShear wong_residual")]
-    WongResidual { residual_ratio: f64, peak_displacement_m: f64 },
-    /// Over a peak to nothing.
-    #[schema(title = "FoundShear wong_peak")]
-    WongPeak { peak_displacement_m: f64 },
-}
-
-/// A contact, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[serde(tag = "rule", rename_all = "snake_case")]
-#[schema(as = FoundContact)]
-pub(super) enum ContactBody {
-    /// θm = (θ1 + θ2)/2.
-    #[schema(title = "FoundContact midpoint")]
-    Midpoint { c3: f64 },
-    /// θm = (c1 + c2 s) θ1.
-    #[schema(title = "FoundContact wong_reece")]
-    WongReece { c1: f64, c2: f64, c3: f64 },
-    /// θm = arccos(1 − z/(2r)).
-    #[schema(title = "FoundContact half_sinkage")]
-    HalfSinkage { c3: f64 },
-}
-
-impl From<&SoilParams> for SoilBody {
-    fn from(soil: &SoilParams) -> Self {
-        let exponent = soil.pressure_sinkage.exponent();
-        let (n0, n1, n2) = (exponent.base, exponent.slip_gain, exponent.skid_gain);
-        let pressure_sinkage = match soil.pressure_sinkage {
-            PressureSinkage::Bekker(law) => LawBody::Bekker { k_c: law.k_c, k_phi: law.k_phi, n0, n1, n2 },
-            PressureSinkage::Direct(law) => LawBody::Direct { k_s: law.k_s, n0, n1, n2 },
-            PressureSinkage::Reece(law) => {
-                LawBody::Reece { k_c: law.k_c, k_phi: law.k_phi, unit_weight_n_m3: law.unit_weight, n0, n1, n2 }
-            }
-            PressureSinkage::Diameter(law) => LawBody::Diameter { k: law.k, m: law.m, n0, n1, n2 },
-        };
-        let (shear_modulus_m, shear) = match soil.shear {
-            ShearLaw::JanosiHanamoto(law) => (Some(law.modulus), None),
-            ShearLaw::WongResidual(law) => {
-                let (residual_ratio, peak_displacement_m) = (law.residual_ratio, law.peak_displacement);
-                (None, Some(ShearBody::WongResidual { residual_ratio, peak_displacement_m }))
-            }
-            ShearLaw::WongPeak(law) => (None, Some(ShearBody::WongPeak { peak_displacement_m: law.peak_displacement })),
-        };
-        let (cohesion_pa, friction_angle_rad) = (soil.cohesion, soil.friction_angle);
-        let (lateral_shear_modulus_m, unit_weight_n_m3) = (soil.lateral_shear_modulus, soil.unit_weight);
-        Self {
-            cohesion_pa,
-            friction_angle_rad,
-            shear_modulus_m,
-            pressure_sinkage: Some(pressure_sinkage),
-            shear,
-            lateral_shear_modulus_m,
-            unit_weight_n_m3,
+impl Serialize for Member {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Number(value) => value.serialize(serializer),
+            Self::Word(word) => word.serialize(serializer),
+            Self::Object(object) => object.serialize(serializer),
         }
     }
 }
 
-impl SoilBody {
-    /// The soil as it is where its pressure–sinkage law is not known.
-    pub(super) fn without_law(self) -> Self {
-        Self { pressure_sinkage: None, ..self }
+/// A law or a rule under its tag, with those of its parameters that there are.
+fn tagged<const N: usize>(tag: &'static str, name: &'static str, parameters: [(&'static str, Option<f64>); N]) -> Spelled {
+    let parameters = parameters.into_iter().filter_map(|(name, value)| Some((name, Member::Number(value?))));
+    Spelled([(tag, Member::Word(name))].into_iter().chain(parameters).collect())
+}
+
+/// A soil; without its pressure–sinkage law where that is not known.
+pub(super) fn soil(soil: &SoilParams, law_known: bool) -> Spelled {
+    let (modulus, shear) = match soil.shear {
+        ShearLaw::JanosiHanamoto(law) => (Some(law.modulus), None),
+        ShearLaw::WongResidual(law) => {
+            let parameters = [("residual_ratio", Some(law.residual_ratio)), ("peak_displacement_m", Some(law.peak_displacement))];
+            (None, Some(tagged("law", "wong_residual", parameters)))
+        }
+        ShearLaw::WongPeak(law) => {
+            (None, Some(tagged("law", "wong_peak", [("peak_displacement_m", Some(law.peak_displacement))])))
+        }
+    };
+    let members = [
+        ("cohesion_pa", Some(Member::Number(soil.cohesion))),
+        ("friction_angle_rad", Some(Member::Number(soil.friction_angle))),
+        ("shear_modulus_m", modulus.map(Member::Number)),
+        ("pressure_sinkage", law_known.then(|| Member::Object(pressure_sinkage(&soil.pressure_sinkage)))),
+        ("shear", shear.map(Member::Object)),
+        ("lateral_shear_modulus_m", soil.lateral_shear_modulus.map(Member::Number)),
+        ("unit_weight_n_m3", soil.unit_weight.map(Member::Number)),
+    ];
+    Spelled(members.into_iter().filter_map(|(name, member)| Some((name, member?))).collect())
+}
+
+fn pressure_sinkage(law: &PressureSinkage) -> Spelled {
+    let exponent = law.exponent();
+    let (n0, n1, n2) = (("n0", Some(exponent.base)), ("n1", Some(exponent.slip_gain)), ("n2", exponent.skid_gain));
+    match law {
+        PressureSinkage::Bekker(law) => tagged("law", "bekker", [("k_c", Some(law.k_c)), ("k_phi", Some(law.k_phi)), n0, n1, n2]),
+        PressureSinkage::Direct(law) => tagged("law", "direct", [("k_s", Some(law.k_s)), n0, n1, n2]),
+        PressureSinkage::Reece(law) => {
+            let moduli =
+                [("k_c", Some(law.k_c)), ("k_phi", Some(law.k_phi)), ("unit_weight_n_m3", Some(law.unit_weight)), n0, n1, n2];
+            tagged("law", "reece", moduli)
+        }
+        PressureSinkage::Diameter(law) => tagged("law", "diameter", [("k", Some(law.k)), ("m", Some(law.m)), n0, n1, n2]),
     }
 }
 
-impl From<&ContactParams> for ContactBody {
-    fn from(contact: &ContactParams) -> Self {
-        let c3 = contact.exit_ratio;
-        match contact.rule {
-            PeakRule::Midpoint => Self::Midpoint { c3 },
-            PeakRule::WongReece { c1, c2 } => Self::WongReece { c1, c2, c3 },
-            PeakRule::HalfSinkage => Self::HalfSinkage { c3 },
-        }
+/// Bekker's law with an exponent that does not change with slip.
+pub(super) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Spelled {
+    tagged("law", "bekker", [("k_c", Some(k_c)), ("k_phi", Some(k_phi)), ("n0", Some(n0))])
+}
+
+/// A contact.
+pub(super) fn contact(contact: &ContactParams) -> Spelled {
+    let c3 = ("c3", Some(contact.exit_ratio));
+    match contact.rule {
+        PeakRule::Midpoint => tagged("rule", "midpoint", [c3]),
+        PeakRule::WongReece { c1, c2 } => tagged("rule", "wong_reece", [("c1", Some(c1)), ("c2", Some(c2)), c3]),
+        PeakRule::HalfSinkage => tagged("rule", "half_sinkage", [c3]),
     }
 }

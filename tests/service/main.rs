@@ -14,6 +14,7 @@ mod identify;
 mod page;
 mod presets;
 mod problems;
+mod quantities;
 mod query;
 mod readme;
 mod resistances;

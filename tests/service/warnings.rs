@@ -109,8 +109,14 @@ fn a_warning_names_value_range_and_source() {
     assert_eq!(warning["range"]["lower"], 0.5);
     assert!(warning["range"]["upper"].is_null());
     assert_eq!(warning["range"]["source"], "Meirion-Griffith & Spenko 2011");
+    assert_eq!(warning["range"]["quantity"], "diameter (m)");
+    for (name, value) in
+        [("quantity", json!("diameter")), ("value", json!(0.4)), ("unit", json!("m")), ("pointer", json!("/wheel/radius_m"))]
+    {
+        assert_eq!(warning[name], value, "{name}");
+    }
     let detail = warning["detail"].as_str().expect("a detail");
-    assert!(detail.starts_with("diameter (m) is 0.4, below 0.5 (Meirion-Griffith & Spenko 2011): Bekker's law"), "{detail}");
+    assert!(detail.starts_with("Diameter is 0.4 m, below 0.5 m (Meirion-Griffith & Spenko 2011). Bekker's law"), "{detail}");
 }
 
 #[test]

@@ -16,6 +16,9 @@
 //! [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical estimates for a load, and a
 //! [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 
+/// Version of the model.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 mod braking;
 mod caution;
 mod contact;
@@ -61,7 +64,7 @@ pub use slip::{Heading, Motion, Slip, Velocities};
 pub use slip_sinkage::{LinearSlipSinkage, SlipSinkage};
 pub use soil::{Soil, SoilParams};
 pub use stress::{ContactPatch, Stresses};
-pub use sweep::{Gap, SideColumns, SlipSweep};
+pub use sweep::{SlipSweep, SweepRow};
 pub use towed::Towed;
 pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};
