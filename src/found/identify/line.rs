@@ -39,7 +39,7 @@ pub(super) fn line(query: &LinearQuery) -> Result<FoundLine, Problem> {
     if *law_known {
         warnings.extend(system_warnings(&setup.wheel, &line.setup.soil));
     }
-    let (setup, observations) = (setup.clone(), observations.clone());
+    let (setup, observations) = (*setup, observations.clone());
     Ok(FoundLine { setup, observations, line, bias, law_known: *law_known, warnings })
 }
 

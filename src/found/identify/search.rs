@@ -28,7 +28,7 @@ pub(super) fn search(query: &FitQuery, until: Instant) -> Result<FoundFit, Probl
     let fit =
         fit(setup, observations, sought, &options).map_err(|error| Problem::Invalid(vec![fit_fault(&error, &setup.sinkage)]))?;
     let warnings = warnings(query, &fit);
-    Ok(FoundFit { setup: setup.clone(), observations: observations.clone(), fit, warnings })
+    Ok(FoundFit { setup: *setup, observations: observations.clone(), fit, warnings })
 }
 
 /// What there is to say of a fit as a whole.
