@@ -49,7 +49,8 @@ fn answers_have_the_quantities_that_are_listed_and_no_others() {
     assert_eq!(names(&comparison["series"][0]["columns"]), listed("/v1/compare").into_keys().collect());
 
     let columns = json!({"time_s": [0, 1], "slip": [0.1, 0.2], "sinkage_m": [0.01, 0.02], "torque_n_m": [2, 4]});
-    let body = with(&letter(), json!({"slip": null, "sinkage_m": null, "normal_load_n": 80, "strength": true, "columns": columns}));
+    let body =
+        with(&letter(), json!({"slip": null, "sinkage_m": null, "normal_load_n": 80, "strength": true, "columns": columns}));
     let track = post("/v1/track", &body).ok();
     assert_eq!(names(&track["columns"]), listed("/v1/track").into_keys().collect());
 }
