@@ -15,6 +15,12 @@ pub struct SweepRow {
     pub point: Result<OperatingPoint, Error>,
 }
 
+impl SweepRow {
+    fn of(operation: &Operation, slip: Slip) -> Self {
+        Self { slip, point: operation.at(slip) }
+    }
+}
+
 /// An operation over slip.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SlipSweep {
@@ -40,14 +46,12 @@ impl SlipSweep {
     /// The same into rows that are there already, without allocating where there are enough of them.
     pub fn fill(&mut self, operation: &Operation, slips: &[Slip]) {
         self.rows.clear();
-        for &slip in slips {
-            self.push(operation, slip);
-        }
+        self.rows.extend(slips.iter().map(|&slip| SweepRow::of(operation, slip)));
     }
 
     /// Adds the row of `slip`, for a caller that has to look up between rows. All rows of a sweep are of one `operation`.
     pub fn push(&mut self, operation: &Operation, slip: Slip) {
-        self.rows.push(SweepRow { slip, point: operation.at(slip) });
+        self.rows.push(SweepRow::of(operation, slip));
     }
 
     /// The points there are, each with the index of its row.
