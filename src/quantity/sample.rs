@@ -112,8 +112,8 @@ pub(crate) type SampleColumns = Columns<OfSamples>;
 
 impl Shape for OfSamples {
     const NAME: &'static str = "TrackedColumns";
-    const DOC: &'static str =
-        "Columns of one length; null in all but the time where a sample has no result, for which `status` has the reason.";
+    const DOC: &'static str = "Columns of one length; null where a sample has no result, for which `status` has the reason, but for the \
+                               time and, where only the forces have no solution, the slip.";
 
     fn fields() -> Vec<Field> {
         let field = |(about, value): (&'static About, SampleValue)| Field {

@@ -8,7 +8,7 @@ use utoipa::openapi::schema::{ArrayBuilder, ArrayItems, KnownFormat, Object, Obj
 use utoipa::openapi::{RefOr, Schema};
 
 use super::About;
-use super::unit::of_name;
+use super::unit::of_field;
 
 /// A quantity in an object of the contract.
 #[derive(Debug, Clone, Copy)]
@@ -76,7 +76,7 @@ pub(crate) fn with_fields(object: ObjectBuilder, fields: &[Field], schema: impl 
     })
 }
 
-/// Gives each number whose name ends with a unit that unit as `x-unit`, unless it has one.
+/// Gives each number whose name tells its unit that unit as `x-unit`, unless it has one.
 pub(crate) fn add_units(schemas: &mut BTreeMap<String, RefOr<Schema>>) {
     for schema in schemas.values_mut() {
         let objects: Vec<&mut Object> = match schema {
@@ -85,7 +85,7 @@ pub(crate) fn add_units(schemas: &mut BTreeMap<String, RefOr<Schema>>) {
             _ => Vec::new(),
         };
         for (name, field) in objects.into_iter().flat_map(|object| &mut object.properties) {
-            if let (Some(unit), Some(number)) = (of_name(name), number_in(field)) {
+            if let (Some(unit), Some(number)) = (of_field(name), number_in(field)) {
                 number.extensions.get_or_insert_default().entry("x-unit".to_owned()).or_insert_with(|| unit.into());
             }
         }

@@ -9,7 +9,7 @@ use super::unit::PRESSURE_PER_POWER;
 /// All quantities of an operating point and of a sample, in the order of their columns.
 pub(crate) static TABLE: &[Quantity] = &[
     Quantity::new("time_s", "t", "s", "time, as it was sent").of_sample(Number(|row| row.time)),
-    Quantity::new("slip", "s", "1", "slip ratio; a sample without forces may still have one")
+    Quantity::new("slip", "s", "1", "slip ratio")
         .of_point(Motion, Asked(|slip| slip.ratio()))
         .of_sample(Number(|row| row.slip)),
     Quantity::new("sinkage_m", "z", "m", "sinkage").of_point(Motion, Found(|at| at.point.sinkage)).of_sample(Number(|row| row.sinkage)),

@@ -32,6 +32,14 @@ pub(crate) fn of_name(name: &str) -> Option<&'static str> {
     SUFFIXES.iter().find(|(suffix, _)| has(suffix)).map(|(_, unit)| *unit)
 }
 
+/// Names without a suffix that are ratios.
+const RATIOS: [&str; 8] = ["slip", "travel_slip", "c1", "c2", "c3", "n0", "n1", "n2"];
+
+/// The unit that a field of the contract has by its name.
+pub(super) fn of_field(name: &str) -> Option<&'static str> {
+    of_name(name).or_else(|| RATIOS.contains(&name).then_some("1"))
+}
+
 /// A unit as people write it: `N·m`, `N/m³`, `–`.
 pub(crate) fn shown(unit: &str) -> String {
     let raised = |text: &str, digit: char, small: &str| {
