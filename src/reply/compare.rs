@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use utoipa::ToSchema;
 
+use super::Reply;
 use super::difference::{Difference, Spread};
-use super::{Column, Reply};
 use crate::found::{FoundComparison, FoundVariant};
-use crate::quantity::PointColumns;
+use crate::quantity::{PointColumns, Values};
 use crate::warning::Warning;
 
 /// Forces over slip by several methods and laws, how far each is from the first and from the integral, and the spread of all.
@@ -18,7 +18,7 @@ use crate::warning::Warning;
 pub(crate) struct CompareReply {
     /// Slip ratio s (–).
     #[schema(value_type = Vec<f64>)]
-    slip: Column,
+    slip: Values,
     /// One per method in the order asked for, of the request as it stands and then of each variant.
     series: Vec<Series>,
     /// By column: the highest of all series minus the lowest, in the column's unit.
@@ -59,7 +59,7 @@ impl From<FoundComparison> for CompareReply {
                 series.push(Series { variant: name.clone(), method, columns, difference, gap_to_quadrature });
             }
         }
-        let slip = Column(slips.iter().map(|slip| slip.ratio()).collect());
+        let slip = Values::Numbers(slips.iter().map(|slip| slip.ratio()).collect());
         Self { slip, spread: spread(&series), series, warnings }
     }
 }
@@ -74,7 +74,7 @@ fn spread(series: &[Series]) -> BTreeMap<&'static str, Spread> {
 impl Reply for CompareReply {
     /// The slip, then every column of every series as `method.column`, after its variant and a dot where it has one.
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        let mut columns = vec![(Cow::from("slip"), self.slip.0.as_slice())];
+        let mut columns = vec![(Cow::from("slip"), self.slip.numbers())];
         for Series { variant, method, columns: of_series, .. } in &self.series {
             let around = variant.as_ref().map_or_else(String::new, |variant| format!("{variant}."));
             let named = of_series.named().skip(1);

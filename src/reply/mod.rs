@@ -52,16 +52,6 @@ macro_rules! one_row {
 
 use one_row;
 
-/// A list of numbers; NaN in memory, null on the wire, where there is none.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Column(pub(crate) Vec<f64>);
-
-impl Serialize for Column {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().map(|value| value.is_finite().then_some(value)))
-    }
-}
-
 /// A number; null where it is NaN.
 fn or_null<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     value.is_finite().then_some(value).serialize(serializer)

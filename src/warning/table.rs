@@ -322,7 +322,7 @@ findings! { many;
     };
 
     "law_replaced" LawReplaced {}
-    means "k_s is fitted, so the direct law stands in place of the preset's."
+    means "`k_s` is fitted, so the direct law stands in place of the preset's."
     says "`k_s` is fitted, so the direct law stands in place of the preset's, with its exponents. Fit `k_c` and `k_phi` to keep Bekker's law.";
 
     "samples_left_out" SamplesLeftOut { left_out: usize, samples: usize }

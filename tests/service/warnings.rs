@@ -150,6 +150,20 @@ fn every_code_is_listed_with_its_range_and_source() {
     }
 }
 
+/// Whoever reads the list learns what is meant, and of the model's own warnings what to do.
+#[test]
+fn every_warning_is_explained_in_sentences() {
+    let model = get("/v1/model").ok();
+    let listed = model["warnings"].as_array().expect("warnings");
+    let is_told = |text: &Value| text.as_str().is_some_and(|text| text.ends_with('.') && !text.starts_with(char::is_lowercase));
+    for warning in listed {
+        assert!(is_told(&warning["meaning"]), "{warning}");
+        assert!(warning["advice"].is_null() || is_told(&warning["advice"]), "{warning}");
+        assert!(warning["quantity"].is_null() || warning["advice"].is_string(), "{warning}");
+    }
+    assert!(listed.len() > 50, "{} warnings", listed.len());
+}
+
 #[test]
 fn a_backward_wheel_keeps_the_rovers_axes_and_says_so() {
     let forward = post("/v1/forces", &with(&letter(), velocities(0.16, 1.0))).ok();

@@ -8,7 +8,6 @@ use utoipa::openapi::{Ref, RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
 use crate::quantity::{About, Columns, Field, Shape, Values};
-use crate::reply::Column;
 use crate::validation::{COMPARED, Compared, Prediction, Record, all_runs};
 
 /// Columns of one length, measured and predicted.
@@ -16,15 +15,15 @@ use crate::validation::{COMPARED, Compared, Prediction, Record, all_runs};
 pub(super) struct ValidationColumns {
     /// Slip ratio s (–), in the plane of the wheel.
     #[schema(value_type = Vec<f64>)]
-    slip: Column,
+    slip: Values,
     /// Vertical load W (N).
     #[schema(value_type = Vec<f64>)]
-    normal_load_n: Column,
+    normal_load_n: Values,
     /// Slip ratio (–) as published where the wheel moved at a slip angle: of the speed of travel, not of its component along
     /// the heading.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Vec<f64>, required = false)]
-    travel_slip: Option<Column>,
+    travel_slip: Option<Values>,
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     contact: Option<ContactColumns>,
@@ -37,10 +36,10 @@ pub(super) struct ValidationColumns {
 struct ContactColumns {
     /// θm/θ1 (–).
     #[schema(value_type = Vec<f64>)]
-    c1: Column,
+    c1: Values,
     /// θ2/θ1 (–).
     #[schema(value_type = Vec<f64>)]
-    c3: Column,
+    c3: Values,
 }
 
 /// Columns of what is compared.
@@ -106,28 +105,28 @@ impl ValidationColumns {
         let points = record.points();
         let (published, load) = (&points.slip, points.load());
         let contact = record.side_slip.map(|side| ContactColumns {
-            c1: Column(published.iter().map(|slip| side.c1(*slip)).collect()),
-            c3: Column(published.iter().map(|slip| side.c3(*slip)).collect()),
+            c1: Values::Numbers(published.iter().map(|slip| side.c1(*slip)).collect()),
+            c3: Values::Numbers(published.iter().map(|slip| side.c3(*slip)).collect()),
         });
         let predicted = |prediction: &Prediction| {
             (prediction.run.series, columns(record, |compared| compared.predicted(prediction.points(), &load)))
         };
         Self {
-            slip: Column(record.slip()),
-            travel_slip: record.side_slip.is_some().then(|| Column(published.clone())),
+            slip: Values::Numbers(record.slip()),
+            travel_slip: record.side_slip.is_some().then(|| Values::Numbers(published.clone())),
             contact,
             measured: columns(record, |compared| compared.measured(points, &load)),
             predicted: PredictedColumns(predictions.iter().map(predicted).collect()),
-            normal_load_n: Column(load),
+            normal_load_n: Values::Numbers(load),
         }
     }
 
     /// The slips and the load, then `measured.` and `predicted.series.` with the name of each column.
     pub(super) fn named(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        let mut columns = vec![(Cow::from("slip"), self.slip.0.as_slice()), ("normal_load_n".into(), &self.normal_load_n.0)];
-        columns.extend(self.travel_slip.iter().map(|Column(slip)| ("travel_slip".into(), slip.as_slice())));
+        let mut columns = vec![(Cow::from("slip"), self.slip.numbers()), ("normal_load_n".into(), self.normal_load_n.numbers())];
+        columns.extend(self.travel_slip.iter().map(|slip| ("travel_slip".into(), slip.numbers())));
         if let Some(ContactColumns { c1, c3 }) = &self.contact {
-            columns.extend([("contact.c1".into(), c1.0.as_slice()), ("contact.c3".into(), &c3.0)]);
+            columns.extend([("contact.c1".into(), c1.numbers()), ("contact.c3".into(), c3.numbers())]);
         }
         columns.extend(self.measured.named().map(|(name, column)| (format!("measured.{name}").into(), column)));
         for (series, forces) in self.predicted.each() {
