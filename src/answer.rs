@@ -19,7 +19,8 @@ use serde::Serialize;
 use crate::budget::{Budget, Share};
 use crate::extract::Format;
 use crate::problem::Problem;
-use crate::reply::{Reply, write_table};
+use crate::quantity::write_table;
+use crate::reply::Reply;
 
 /// Largest piece, and largest answer that needs no share of the budget (bytes).
 const PIECE: usize = 64 << 10;
@@ -36,8 +37,8 @@ pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, P
             // A table has no place for warnings, so their codes travel beside it, each once.
             let mut codes: Vec<&str> = Vec::new();
             for warning in reply.warnings() {
-                if !codes.contains(&warning.code) {
-                    codes.push(warning.code);
+                if !codes.contains(&warning.code()) {
+                    codes.push(warning.code());
                 }
             }
             if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))

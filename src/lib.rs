@@ -1,7 +1,8 @@
 //! The terramechanics service: HTTP/JSON over the model crate, its OpenAPI contract and its plotting page.
 //!
 //! The way of a request: bytes → `extract` → a request object of `request`, which checks everything and reports every
-//! fault → the model → a reply of `reply` → bytes. Physics live in the crate `terramechanics`, HTTP here.
+//! fault → `found`, where the model computes → a reply of `reply` → bytes. What an answer says of its numbers comes from the
+//! table of `quantity`, what it says of itself from that of `warning`. Physics live in the crate `terramechanics`, HTTP here.
 
 mod answer;
 mod api;
@@ -14,6 +15,7 @@ pub mod config;
 mod contract;
 mod docs;
 mod extract;
+mod found;
 mod http1;
 pub mod log;
 mod metrics;
@@ -21,6 +23,7 @@ mod name;
 mod observe;
 mod page;
 mod problem;
+mod quantity;
 mod reply;
 mod request;
 mod rest;
@@ -30,6 +33,7 @@ pub mod server;
 mod state;
 mod stream;
 mod validation;
+mod warning;
 mod wire;
 
 /// What is fuzzed; there is none of it in the program.

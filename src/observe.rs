@@ -17,6 +17,9 @@ use crate::state::Service;
 
 const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
+/// The version of the model that answers, on every answer of the API.
+const MODEL_VERSION: HeaderName = HeaderName::from_static("x-model-version");
+
 /// Longest request id taken over from a client (bytes).
 const LONGEST_ID: usize = 128;
 
@@ -29,6 +32,7 @@ pub(crate) async fn observe(State(service): State<Service>, request: Request, ne
     let id = request.headers().get(REQUEST_ID).filter(|id| is_harmless(id)).cloned().unwrap_or_else(new_id);
     let method = request.method().clone();
     let route = request.extensions().get::<MatchedPath>().cloned();
+    let is_of_api = request.uri().path().starts_with("/v1/");
     let response = next.run(request).await;
     let mut response = answer::admitted(response, service.answers()).unwrap_or_else(IntoResponse::into_response);
     let duration = start.elapsed();
@@ -39,6 +43,9 @@ pub(crate) async fn observe(State(service): State<Service>, request: Request, ne
     let headers = response.headers_mut();
     headers.insert(REQUEST_ID, id);
     headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    if is_of_api {
+        headers.insert(MODEL_VERSION, HeaderValue::from_static(terramechanics::VERSION));
+    }
     response
 }
 

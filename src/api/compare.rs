@@ -7,6 +7,7 @@ use super::responses::{InvalidBody, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::CompareReply;
 use crate::request::CompareDto;
@@ -30,9 +31,6 @@ pub(crate) async fn compare(
     Input(query): Input<CompareDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_points(query.operations(), query.slips.len());
-    let work = move |pace: &Pace| {
-        let reply = CompareReply::of(&query, pace)?;
-        written(&reply, format)
-    };
+    let work = move |pace: &Pace| written(&CompareReply::from(found::compare(&query, pace)?), format);
     service.pool().run(cost, work).await
 }

@@ -2,12 +2,12 @@
 
 use axum::extract::State;
 use axum::response::Response;
-use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::CoupledReply;
 use crate::request::CoupledDto;
@@ -29,9 +29,6 @@ pub(crate) async fn coupled(
     format: Format,
     Input(query): Input<CoupledDto>,
 ) -> Result<Response, Problem> {
-    let work = move |_: &Pace| {
-        let reply = CoupledReply::try_from(&query).map_err(|error| Problem::refused(&error, &Sinkage::Given(query.sinkage)))?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&CoupledReply::from(found::coupled(&query)?), format);
     service.pool().run(Cost::of_closed_forms(), work).await
 }

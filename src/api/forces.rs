@@ -7,6 +7,7 @@ use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::ForcesReply;
 use crate::request::{ForcesDto, ForcesQuery};
@@ -52,9 +53,6 @@ pub(crate) async fn forces_of_query(
 
 async fn answer(service: &Service, query: ForcesQuery, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_point(&query.operation);
-    let work = move |_: &Pace| {
-        let reply = ForcesReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&ForcesReply::from(found::forces(&query)?), format);
     service.pool().run(cost, work).await
 }

@@ -7,6 +7,7 @@ use super::responses::{InvalidBody, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::{IdentifyReply, PlatesReply, ShearReply};
 use crate::request::{IdentifyDto, PlatesDto, ShearTestsDto};
@@ -31,10 +32,7 @@ pub(crate) async fn identify(
 ) -> Result<Response, Problem> {
     let cost = Cost::of_identification(&query);
     let patience = service.limits().compute_deadline;
-    let work = move |pace: &Pace| {
-        let reply = IdentifyReply::of(&query, patience, pace).map_err(Problem::Invalid)?;
-        written(&reply, format)
-    };
+    let work = move |pace: &Pace| written(&IdentifyReply::from(found::identify(&query, patience, pace)?), format);
     service.pool().run(cost, work).await
 }
 
@@ -55,10 +53,7 @@ pub(crate) async fn plates(
     Input(query): Input<PlatesDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.curves.iter().map(|curve| curve.sinkage.len()).sum());
-    let work = move |pace: &Pace| {
-        let reply = PlatesReply::of(&query, pace).map_err(|fault| Problem::Invalid(vec![fault]))?;
-        written(&reply, format)
-    };
+    let work = move |pace: &Pace| written(&PlatesReply::from(found::plates(&query, pace)?), format);
     service.pool().run(cost, work).await
 }
 
@@ -79,9 +74,6 @@ pub(crate) async fn shear(
     Input(query): Input<ShearTestsDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.0.iter().map(|curve| curve.shear.len()).sum());
-    let work = move |pace: &Pace| {
-        let reply = ShearReply::of(&query, pace).map_err(|fault| Problem::Invalid(vec![fault]))?;
-        written(&reply, format)
-    };
+    let work = move |pace: &Pace| written(&ShearReply::from(found::shear(&query, pace)?), format);
     service.pool().run(cost, work).await
 }

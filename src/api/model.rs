@@ -11,6 +11,8 @@ use super::responses::{InvalidQuery, Limits};
 use crate::answer::json_text;
 use crate::catalogue::{self, Gravity};
 use crate::extract::NoQuery;
+use crate::quantity::{self, About, Quantity, shown};
+use crate::warning::{self, Note};
 
 /// What the service computes.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
@@ -32,7 +34,11 @@ pub(crate) struct Model {
     errata: Vec<Erratum>,
     /// What is refused.
     refusals: Vec<String>,
+    /// The quantities of answers, in the order of their columns.
+    #[serde(default)]
+    quantities: Vec<QuantityNote>,
     /// The warnings that results may carry.
+    #[serde(default)]
     warnings: Vec<WarningNote>,
     /// Gravity of the bodies where wheels roll, for loads and unit weights.
     #[serde(default)]
@@ -95,12 +101,39 @@ struct Erratum {
     computed: String,
 }
 
-/// A warning that results may carry.
+/// A quantity that answers have.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+struct QuantityNote {
+    /// Its name in answers.
+    name: String,
+    /// Its symbol in the equations; empty where it has none.
+    symbol: String,
+    /// Its unit by UCUM, 1 for a ratio; empty for a word.
+    unit: String,
+    meaning: String,
+    /// The operations whose answers have it.
+    operations: Vec<String>,
+}
+
+impl From<&Quantity> for QuantityNote {
+    fn from(quantity: &Quantity) -> Self {
+        let About { name, symbol, unit, meaning } = quantity.about;
+        let operations = quantity.operations().map(str::to_owned).collect();
+        Self { name: name.into(), symbol: symbol.into(), unit: unit.into(), meaning: meaning.into(), operations }
+    }
+}
+
+/// A warning that results may carry.
+#[derive(Debug, Default, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 struct WarningNote {
     code: String,
     meaning: String,
+    /// What to do about it, where that is the same each time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    advice: Option<String>,
     /// The quantity that leaves its range, with its unit, where the warning is about one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
@@ -132,7 +165,8 @@ impl From<&CautionKind> for WarningNote {
         Self {
             code: kind.code.into(),
             meaning: kind.meaning.into(),
-            quantity: range.map(|range| range.quantity.into()),
+            advice: Some(kind.advice.into()),
+            quantity: range.map(|range| format!("{} ({})", range.quantity, shown(range.unit))),
             lower: range.and_then(|range| range.lower),
             upper: range.and_then(|range| range.upper),
             source: range.map(|range| range.source.into()),
@@ -140,10 +174,18 @@ impl From<&CautionKind> for WarningNote {
     }
 }
 
+impl From<&Note> for WarningNote {
+    fn from(&Note { code, meaning }: &Note) -> Self {
+        Self { code: code.into(), meaning: meaning.into(), ..Self::default() }
+    }
+}
+
 static TEXT: LazyLock<String> = LazyLock::new(|| {
     let mut model: Model =
         serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
-    model.warnings.splice(0..0, Caution::KINDS.into_iter().map(WarningNote::from));
+    model.quantities = quantity::TABLE.iter().map(QuantityNote::from).collect();
+    model.warnings = Caution::KINDS.iter().map(|kind| WarningNote::from(*kind)).collect();
+    model.warnings.extend(warning::NOTES.iter().map(WarningNote::from));
     model.gravity = catalogue::gravity().to_vec();
     model.errata = ERRATA.iter().map(Erratum::from).collect();
     model.references = SOURCES.iter().map(|source| source.text.into()).collect();
@@ -152,8 +194,8 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
 
 /// The equations as implemented, and the errata
 ///
-/// For people and for programs: symbols, equations, methods, what is refused, what is warned of, gravity, and where the
-/// letter as printed is not what is computed.
+/// For people and for programs: symbols, equations, methods, quantities of answers, what is refused, what is warned of,
+/// gravity, and where the letter as printed is not what is computed.
 #[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), InvalidQuery, Limits))]
 pub(crate) async fn model(_: NoQuery) -> Response {
     json_text(TEXT.as_str())
@@ -179,48 +221,9 @@ mod tests {
         distinct.sort_unstable();
         distinct.dedup();
         assert_eq!(distinct.len(), codes.len(), "each meaning of a code is listed once");
-        for code in [
-            "needs_exponent_below_three",
-            "needs_unit_weight",
-            "needs_driving_slip",
-            "needs_janosi_hanamoto",
-            "no_linear_stresses",
-            "mirrored",
-            "outside_catalogue",
-            "no_solution",
-            "missing_value",
-            "unreadable",
-            "missing_torque",
-            "missing_load",
-            "out_of_range",
-            "slip_out_of_range",
-            "opposite_rotation",
-            "time_backwards",
-            "not_coupled",
-            "events_left_out",
-            "points_raised",
-            "not_converged",
-            "not_identifiable",
-            "single_slip",
-            "single_load",
-            "normal_force_only",
-            "few_points",
-            "at_bound",
-            "model_misfit",
-            "deviations_too_large",
-            "column_missed",
-            "implausible_estimate",
-            "law_replaced",
-            "samples_left_out",
-            "linearised_stresses",
-            "model_bias",
-            "fitted_k_c_negative",
-            "exponents_differ",
-            "rows_without_sinkage",
-            "law_not_usable",
-        ] {
-            assert!(codes.contains(&code), "{code}");
-        }
+        let quantity = |name: &str| model.quantities.iter().find(|quantity| quantity.name == name);
+        assert!(quantity("torque_n_m").is_some_and(|torque| torque.unit == "N.m" && torque.symbol == "T"));
+        assert!(quantity("power_w").is_some_and(|power| power.operations == ["/v1/track"]));
     }
 
     /// The years that a text names, each with the name that stands last before it.

@@ -2,12 +2,12 @@
 
 use axum::extract::State;
 use axum::response::Response;
-use terramechanics::Sinkage;
 
 use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::ResistancesReply;
 use crate::request::{ResistancesDto, ResistancesQuery};
@@ -51,10 +51,6 @@ pub(crate) async fn resistances_of_query(
 }
 
 async fn answer(service: &Service, query: ResistancesQuery, format: Format) -> Result<Response, Problem> {
-    let work = move |_: &Pace| {
-        let sinkage = Sinkage::CarryingLoad(query.normal_load);
-        let reply = ResistancesReply::try_from(&query).map_err(|error| Problem::refused(&error, &sinkage))?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&ResistancesReply::from(found::resistances(&query)?), format);
     service.pool().run(Cost::of_closed_forms(), work).await
 }

@@ -7,6 +7,7 @@ use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::SweepReply;
 use crate::request::{SweepDto, SweepQuery};
@@ -52,9 +53,6 @@ pub(crate) async fn slip_sweep_of_query(
 
 async fn answer(service: &Service, query: SweepQuery, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_points([query.operation], query.slips.len());
-    let work = move |pace: &Pace| {
-        let reply = SweepReply::of(&query, pace)?;
-        written(&reply, format)
-    };
+    let work = move |pace: &Pace| written(&SweepReply::from(found::sweep(&query, pace)?), format);
     service.pool().run(cost, work).await
 }

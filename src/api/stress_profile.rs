@@ -7,6 +7,7 @@ use super::responses::{InvalidBody, InvalidQuery, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::ProfileReply;
 use crate::request::{ProfileDto, ProfileQuery};
@@ -51,9 +52,6 @@ pub(crate) async fn stress_profile_of_query(
 
 async fn answer(service: &Service, query: ProfileQuery, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_profile(&query.operation, query.points);
-    let work = move |_: &Pace| {
-        let reply = ProfileReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&ProfileReply::from(found::profile(&query)?), format);
     service.pool().run(cost, work).await
 }

@@ -7,6 +7,7 @@ use super::responses::{InvalidBody, Limits};
 use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
+use crate::found;
 use crate::problem::Problem;
 use crate::reply::TowedReply;
 use crate::request::TowedDto;
@@ -29,9 +30,6 @@ pub(crate) async fn towed(
     Input(query): Input<TowedDto>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_towed();
-    let work = move |_: &Pace| {
-        let reply = TowedReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;
-        written(&reply, format)
-    };
+    let work = move |_: &Pace| written(&TowedReply::from(found::towed(&query)?), format);
     service.pool().run(cost, work).await
 }

@@ -13,6 +13,7 @@ use super::responses::{InvalidQuery, Limits, UnknownName};
 use crate::answer::{json_text, written};
 use crate::compute::{Cost, Pace};
 use crate::extract::{AskedFormat, FormatParameter, NoQuery};
+use crate::found;
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::reply::ValidationSet;
@@ -30,7 +31,7 @@ struct ValidationReply {
 static SETS: OnceLock<Vec<ValidationSet>> = OnceLock::new();
 
 fn sets() -> &'static [ValidationSet] {
-    SETS.get_or_init(|| validation::records().iter().map(ValidationSet::from).collect())
+    SETS.get_or_init(|| validation::records().iter().map(|record| found::validation(record).into()).collect())
 }
 
 fn cost() -> Cost {

@@ -9,7 +9,7 @@ mod record;
 mod table;
 mod view;
 
-pub(crate) use extent::{Extent, Outside, outside};
+pub(crate) use extent::{CATALOGUE, Outside, outside};
 pub(crate) use gravity::{Gravity, gravity};
 pub(crate) use record::{SoilRecord, WheelRecord};
 pub(crate) use table::{soils_table, wheels_table};

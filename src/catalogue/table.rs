@@ -1,109 +1,60 @@
-//! The catalogue as tables: one row per entry, one column per value, an empty cell for what is not known (RFC 4180).
-
-use std::fmt::Write;
+//! The catalogue as tables: one row per entry, one column per value, an empty cell for what is not known.
 
 use super::record::{SOIL_FIELDS, SoilRecord, Values, WHEEL_FIELDS, WheelRecord};
+use crate::quantity::{Cell, Digits, line};
 use crate::request::{LAWS, RULES, SHEAR_LAWS};
 use crate::wire::Variant;
 
 /// Values of a wheel that are no part of a request.
 const WHEEL_FACTS: [&str; 2] = ["lug_count", "nominal_load_n"];
 
-/// A table in the making.
-struct Table {
-    text: String,
-    row_is_empty: bool,
+/// The value of that name, if it is known.
+fn number<'a>(values: Option<&Values>, name: &str) -> Cell<'a> {
+    Cell::Number(values.and_then(|values| values.get(name)).map_or(f64::NAN, |value| value.value))
 }
 
-impl Table {
-    fn with_header<'a>(names: impl IntoIterator<Item = &'a str>) -> Self {
-        let mut table = Self { text: String::new(), row_is_empty: true };
-        names.into_iter().for_each(|name| table.word(name));
-        table.end_row();
-        table
-    }
-
-    fn cell(&mut self) {
-        if !self.row_is_empty {
-            self.text.push(',');
-        }
-        self.row_is_empty = false;
-    }
-
-    /// A cell of text, in quotes where a comma or a quote in it would break the table.
-    fn word(&mut self, word: &str) {
-        self.cell();
-        if word.contains([',', '"', '\n', '\r']) {
-            self.text.push('"');
-            self.text.push_str(&word.replace('"', "\"\""));
-            self.text.push('"');
-        } else {
-            self.text.push_str(word);
-        }
-    }
-
-    /// A cell with the value of that name in the shortest form that parses to the same number.
-    fn number(&mut self, values: Option<&Values>, name: &str) {
-        self.cell();
-        if let Some(value) = values.and_then(|values| values.get(name)) {
-            let _ = write!(self.text, "{:?}", value.value); // writing to a String cannot fail
-        }
-    }
-
-    fn end_row(&mut self) {
-        self.text.push('\n');
-        self.row_is_empty = true;
-    }
+/// A table: its header, then a line for each of `rows`.
+fn table<'a>(names: impl IntoIterator<Item = &'a str>, rows: impl Iterator<Item = Vec<Cell<'a>>>) -> Vec<u8> {
+    let mut out = Vec::new();
+    line(names.into_iter().map(Cell::Word), Digits::Plain, &mut out);
+    rows.for_each(|cells| line(cells, Digits::Plain, &mut out));
+    out
 }
 
 /// The wheels as a table.
-pub(crate) fn wheels_table<'a>(records: impl Iterator<Item = &'a WheelRecord>) -> String {
+pub(crate) fn wheels_table<'a>(records: impl Iterator<Item = &'a WheelRecord>) -> Vec<u8> {
     let values: Vec<&str> = WHEEL_FIELDS.into_iter().chain(WHEEL_FACTS).collect();
-    let mut table = Table::with_header(["id", "name", "kind", "grade"].into_iter().chain(values.iter().copied()));
-    for record in records {
-        [&record.id, &record.name, &record.kind, record.grade.name()].into_iter().for_each(|word| table.word(word));
-        values.iter().for_each(|name| table.number(Some(&record.values), name));
-        table.end_row();
-    }
-    table.text
+    let header = ["id", "name", "kind", "grade"].into_iter().chain(values.iter().copied());
+    let row = |record: &'a WheelRecord| {
+        let words = [&record.id, &record.name, &record.kind, record.grade.name()].map(Cell::Word);
+        words.into_iter().chain(values.iter().map(|name| number(Some(&record.values), name))).collect()
+    };
+    table(header, records.map(row))
 }
 
 /// The soils as a table.
-pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> String {
+pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> Vec<u8> {
     let mut of_laws = parameters(LAWS);
     of_laws.retain(|name| !SOIL_FIELDS.contains(name));
     let (of_shear, of_rules) = (parameters(SHEAR_LAWS), parameters(RULES));
     let header = [&["id", "name", "kind", "grade"][..], &SOIL_FIELDS, &["law"], &of_laws, &["shear_law"], &of_shear];
-    let mut table = Table::with_header(header.into_iter().flatten().chain(&["rule"]).chain(&of_rules).copied());
-    for record in records {
-        [&record.id, &record.name, &record.kind, record.grade.name()].into_iter().for_each(|word| table.word(word));
-        SOIL_FIELDS.iter().for_each(|name| table.number(Some(&record.values), name));
-        table.word(record.law.as_deref().unwrap_or(""));
-        of_laws.iter().for_each(|name| table.number(Some(&record.values), name));
-        table.word(record.shear.as_ref().map_or("", |shear| &shear.law));
-        of_shear.iter().for_each(|name| table.number(record.shear.as_ref().map(|shear| &shear.values), name));
-        table.word(record.contact.as_ref().map_or("", |contact| &contact.rule));
-        of_rules.iter().for_each(|name| table.number(record.contact.as_ref().map(|contact| &contact.values), name));
-        table.end_row();
-    }
-    table.text
+    let header = header.into_iter().flatten().chain(&["rule"]).chain(&of_rules).copied();
+    let row = |record: &'a SoilRecord| {
+        let (shear, contact) = (record.shear.as_ref(), record.contact.as_ref());
+        let mut cells = [&record.id, &record.name, &record.kind, record.grade.name()].map(Cell::Word).to_vec();
+        cells.extend(SOIL_FIELDS.iter().map(|name| number(Some(&record.values), name)));
+        cells.push(Cell::Word(record.law.as_deref().unwrap_or("")));
+        cells.extend(of_laws.iter().map(|name| number(Some(&record.values), name)));
+        cells.push(Cell::Word(shear.map_or("", |shear| &shear.law)));
+        cells.extend(of_shear.iter().map(|name| number(shear.map(|shear| &shear.values), name)));
+        cells.push(Cell::Word(contact.map_or("", |contact| &contact.rule)));
+        cells.extend(of_rules.iter().map(|name| number(contact.map(|contact| &contact.values), name)));
+        cells
+    };
+    table(header, records.map(row))
 }
 
 /// The parameters of all variants, each once.
 fn parameters(variants: &'static [Variant]) -> Vec<&'static str> {
     super::distinct(variants.iter().flat_map(Variant::fields))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_cell_with_a_comma_or_a_quote_is_quoted() {
-        let mut table = Table::with_header(["id", "name"]);
-        table.word("a");
-        table.word("wheel \"B\", smooth");
-        table.end_row();
-        assert_eq!(table.text, "id,name\na,\"wheel \"\"B\"\", smooth\"\n");
-    }
 }

@@ -12,9 +12,11 @@ use utoipa::openapi::{OpenApi, RefOr};
 use crate::catalogue;
 use crate::compute::Pace;
 use crate::extract::SeriesForm;
+use crate::found;
+use crate::quantity::csv;
 use crate::reply::{
     CompareReply, CoupledReply, ForcesReply, IdentifyReply, PlatesReply, ProfileReply, Reply, ResistancesReply, ShearReply,
-    SweepReply, TowedReply, ValidationSet, write_table,
+    SweepReply, TowedReply, ValidationSet,
 };
 use crate::request::{
     CompareDto, CoupledDto, ForcesDto, IdentifyDto, PlatesDto, ProfileDto, Request, ResistancesDto, ShearTestsDto, SweepDto,
@@ -108,13 +110,14 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
     let coupled = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02, "normal_load_n": 80
     });
-    let coupled_reply = answer::<CoupledDto, _>(&coupled, |query| CoupledReply::try_from(query).ok());
+    let coupled_reply = answer::<CoupledDto, _>(&coupled, |query| found::coupled(query).ok().map(CoupledReply::from));
     let resistances = json!({
         "wheel": {"radius_m": 0.4065, "width_m": 0.229},
         "soil": {"preset": "lunar-apollo-nominal", "friction_angle_rad": 0.576, "unit_weight_n_m3": 2472},
         "normal_load_n": 259, "slip": 0.05
     });
-    let resistances_reply = answer::<ResistancesDto, _>(&resistances, |query| ResistancesReply::try_from(query).ok());
+    let resistances_reply =
+        answer::<ResistancesDto, _>(&resistances, |query| found::resistances(query).ok().map(ResistancesReply::from));
     let towed = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80});
     // The integrals of the letter's example, computed independently with 401 000 points.
     let identify = json!({
@@ -129,8 +132,9 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
         },
         "bounds": {"shear_modulus_m": [0.001, 0.05]}
     });
-    let identify_reply =
-        answer::<IdentifyDto, _>(&identify, |query| IdentifyReply::of(query, Duration::from_secs(60), &Pace::at_once()).ok());
+    let identify_reply = answer::<IdentifyDto, _>(&identify, |query| {
+        found::identify(query, Duration::from_secs(60), &Pace::at_once()).ok().map(IdentifyReply::from)
+    });
     // Dry sand under two plates, every other point: Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, 3G12.
     let plates = json!({
         "plates": [
@@ -145,13 +149,16 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
             {"normal_stress_pa": 8000, "columns": {"displacement_m": [0.005, 0.01, 0.02, 0.04], "shear_stress_pa": [2090, 3350, 4580, 5200]}}
         ]
     });
-    let plates_reply = answer::<PlatesDto, _>(&plates, |query| PlatesReply::of(query, &Pace::at_once()).ok());
-    let shear_reply = answer::<ShearTestsDto, _>(&shear, |query| ShearReply::of(query, &Pace::at_once()).ok());
-    let compare_reply = answer::<CompareDto, _>(&compare, |query| CompareReply::of(query, &Pace::at_once()).ok());
-    let forces_reply = answer::<ForcesDto, _>(&forces, |query| ForcesReply::try_from(query).ok());
-    let profile_reply = answer::<ProfileDto, _>(&profile, |query| ProfileReply::try_from(query).ok());
-    let sweep_reply = answer::<SweepDto, _>(&sweep, |query| SweepReply::of(query, &Pace::at_once()).ok());
-    let towed_reply = answer::<TowedDto, _>(&towed, |query| TowedReply::try_from(query).ok());
+    let plates_reply =
+        answer::<PlatesDto, _>(&plates, |query| found::plates(query, &Pace::at_once()).ok().map(PlatesReply::from));
+    let shear_reply =
+        answer::<ShearTestsDto, _>(&shear, |query| found::shear(query, &Pace::at_once()).ok().map(ShearReply::from));
+    let compare_reply =
+        answer::<CompareDto, _>(&compare, |query| found::compare(query, &Pace::at_once()).ok().map(CompareReply::from));
+    let forces_reply = answer::<ForcesDto, _>(&forces, |query| found::forces(query).ok().map(ForcesReply::from));
+    let profile_reply = answer::<ProfileDto, _>(&profile, |query| found::profile(query).ok().map(ProfileReply::from));
+    let sweep_reply = answer::<SweepDto, _>(&sweep, |query| found::sweep(query, &Pace::at_once()).ok().map(SweepReply::from));
+    let towed_reply = answer::<TowedDto, _>(&towed, |query| found::towed(query).ok().map(TowedReply::from));
     [
         ("/v1/forces", forces, forces_reply),
         ("/v1/stress-profile", profile, profile_reply),
@@ -207,10 +214,7 @@ fn written<T: Reply>(reply: &T) -> Answer {
         reply.columns().into_iter().map(|(name, column)| (name, column.iter().copied().map(rounded).collect())).collect();
     let table: Vec<_> = columns.iter().map(|(name, column)| (name.clone(), column.as_slice())).collect();
     let json = serde_json::to_value(reply).map(with_rounded_numbers).unwrap_or_default();
-    let mut csv = Vec::new();
-    // Writing to memory cannot fail.
-    let _ = write_table(&table, &mut csv);
-    vec![(JSON, json), ("text/csv", String::from_utf8_lossy(&csv).into())]
+    vec![(JSON, json), ("text/csv", String::from_utf8(csv(&table)).unwrap_or_default().into())]
 }
 
 /// The entries of the catalogue and a set of measurements: path, media type, example.
@@ -223,8 +227,9 @@ fn replies_without_a_body() -> Vec<(&'static str, &'static str, Value)> {
         ("/v1/wheels/{id}", JSON, wheel),
         ("/v1/soils/{id}", JSON, soil),
     ];
-    for (media_type, set) in
-        validation::record("ding-2011-smooth").map(|record| written(&ValidationSet::from(record))).unwrap_or_default()
+    for (media_type, set) in validation::record("ding-2011-smooth")
+        .map(|record| written(&ValidationSet::from(found::validation(record))))
+        .unwrap_or_default()
     {
         if media_type == JSON {
             replies.push(("/v1/validation", JSON, json!({"sets": [set.clone()]})));

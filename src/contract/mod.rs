@@ -20,6 +20,7 @@ use crate::answer::json_text;
 use crate::api::responses::Limits;
 use crate::compute::Cost;
 use crate::problem::Problem;
+use crate::quantity;
 use crate::state::Service;
 
 #[derive(OpenApi)]
@@ -29,7 +30,7 @@ use crate::state::Service;
         description = "Steady forces of a rigid wheel, with or without lugs, rolling on deformable soil: drawbar pull, normal force, torque, \
                        sinkage and stresses. SI units and radians; the suffix of a field is its unit. Slip is −1 (locked) … 0 (rolling) … 1 \
                        (spinning). Angles are measured at the wheel's centre from straight down, positive towards the front. Every failure is \
-                       an RFC 9457 problem document.",
+                       an RFC 9457 problem document. Every answer of /v1 names the version of the model in the header X-Model-Version.",
         contact(name = "The terramechanics project"),
         license(name = "MIT", identifier = "MIT")
     ),
@@ -76,6 +77,9 @@ impl Contract {
     #[must_use]
     pub fn document(&self) -> Document {
         let mut document = self.plain.get().cloned().unwrap_or_else(frame);
+        if let Some(components) = &mut document.components {
+            quantity::add_units(&mut components.schemas);
+        }
         examples::attach(&mut document);
         document
     }

@@ -3,14 +3,16 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics_identification::{Estimate, fit_plates_while, fit_shear_curves_while};
+use terramechanics_identification::{FittedPlate, PlateCurve, PlatesFit, ShearFit};
 use utoipa::ToSchema;
 
-use super::identify::{EstimateReply, implausible, words};
-use super::{Column, Reply, Warning};
-use crate::compute::Pace;
-use crate::request::{PlatesQuery, ShearTestsQuery, name_of, plates_fault, shear_fault};
-use crate::wire::FieldFault;
+use super::Reply;
+use super::identify::EstimateReply;
+use super::soil::{self, Spelled};
+use crate::found::{FoundPlates, FoundShear};
+use crate::quantity::{About, Columns, Field, Shape};
+use crate::request::PressureSinkageDto;
+use crate::warning::Warning;
 
 /// Bekker's parameters from plate tests.
 #[derive(Debug, Serialize, ToSchema)]
@@ -29,7 +31,9 @@ pub(crate) struct PlatesReply {
     /// One per plate.
     plates: Vec<PlateReply>,
     columns: PlateColumns,
-    pressure_sinkage: BekkerBody,
+    /// The law, ready for a request.
+    #[schema(value_type = PressureSinkageDto)]
+    pressure_sinkage: Spelled,
     warnings: Vec<Warning>,
 }
 
@@ -44,36 +48,27 @@ struct PlateReply {
     n0: Option<f64>,
 }
 
-/// Bekker's law, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = FoundBekker)]
-struct BekkerBody {
-    #[schema(example = "bekker")]
-    law: &'static str,
-    k_c: f64,
-    k_phi: f64,
-    n0: f64,
-}
+/// Columns of plate tests.
+#[derive(Debug)]
+struct OfPlates;
 
-/// All curves, one after the other, as columns of one length.
-#[derive(Debug, Default, Serialize, ToSchema)]
-#[schema(as = FoundPlateColumns)]
-struct PlateColumns {
-    /// Width of the plate b (m).
-    #[schema(value_type = Vec<f64>)]
-    width_m: Column,
-    /// Sinkage z (m).
-    #[schema(value_type = Vec<f64>)]
-    sinkage_m: Column,
-    /// Measured pressure (Pa).
-    #[schema(value_type = Vec<f64>)]
-    measured_pressure_pa: Column,
-    /// Predicted pressure (Pa).
-    #[schema(value_type = Vec<f64>)]
-    predicted_pressure_pa: Column,
-    /// Predicted minus measured pressure (Pa).
-    #[schema(value_type = Vec<f64>)]
-    residual_pressure_pa: Column,
+type PlateColumns = Columns<OfPlates>;
+
+static PLATE_COLUMNS: [About; 5] = [
+    About::new("width_m", "b", "m", "width of the plate"),
+    About::new("sinkage_m", "z", "m", "sinkage"),
+    About::new("measured_pressure_pa", "p", "Pa", "measured pressure"),
+    About::new("predicted_pressure_pa", "p", "Pa", "predicted pressure"),
+    About::new("residual_pressure_pa", "", "Pa", "predicted minus measured pressure"),
+];
+
+impl Shape for OfPlates {
+    const NAME: &'static str = "FoundPlateColumns";
+    const DOC: &'static str = "All curves, one after the other, as columns of one length.";
+
+    fn fields() -> Vec<Field> {
+        PLATE_COLUMNS.iter().map(Field::always).collect()
+    }
 }
 
 /// Strength of a soil from shear tests.
@@ -94,145 +89,105 @@ pub(crate) struct ShearReply {
     warnings: Vec<Warning>,
 }
 
-/// All curves, one after the other, as columns of one length.
-#[derive(Debug, Default, Serialize, ToSchema)]
-#[schema(as = FoundShearColumns)]
-struct ShearColumns {
-    /// Normal stress σ (Pa).
-    #[schema(value_type = Vec<f64>)]
-    normal_stress_pa: Column,
-    /// Shear displacement j (m).
-    #[schema(value_type = Vec<f64>)]
-    displacement_m: Column,
-    /// Measured shear stress (Pa).
-    #[schema(value_type = Vec<f64>)]
-    measured_shear_stress_pa: Column,
-    /// Predicted shear stress (Pa).
-    #[schema(value_type = Vec<f64>)]
-    predicted_shear_stress_pa: Column,
-    /// Predicted minus measured shear stress (Pa).
-    #[schema(value_type = Vec<f64>)]
-    residual_shear_stress_pa: Column,
+/// Columns of shear tests.
+#[derive(Debug)]
+struct OfShearTests;
+
+type ShearColumns = Columns<OfShearTests>;
+
+static SHEAR_COLUMNS: [About; 5] = [
+    About::new("normal_stress_pa", "σ", "Pa", "normal stress"),
+    About::new("displacement_m", "j", "m", "shear displacement"),
+    About::new("measured_shear_stress_pa", "τ", "Pa", "measured shear stress"),
+    About::new("predicted_shear_stress_pa", "τ", "Pa", "predicted shear stress"),
+    About::new("residual_shear_stress_pa", "", "Pa", "predicted minus measured shear stress"),
+];
+
+impl Shape for OfShearTests {
+    const NAME: &'static str = "FoundShearColumns";
+    const DOC: &'static str = "All curves, one after the other, as columns of one length.";
+
+    fn fields() -> Vec<Field> {
+        SHEAR_COLUMNS.iter().map(Field::always).collect()
+    }
 }
 
-impl PlatesReply {
-    /// The fit.
-    ///
-    /// # Errors
-    /// What the plates do not tell.
-    pub(crate) fn of(PlatesQuery { curves, left_out }: &PlatesQuery, pace: &Pace) -> Result<Self, FieldFault> {
-        let found = fit_plates_while(curves, &|| pace.goes_on()).map_err(plates_fault)?;
-        let [k_c, k_phi, n0] = found.estimates.each_ref().map(|estimate| estimate.value);
-        let mut warnings = open(&found.estimates);
-        warnings.extend(implausible(&found.estimates, n0));
-        let mut warn = |code, detail: String| warnings.push(Warning::new(code, detail));
-        if let Some(least_width) = found.least_width() {
-            let narrowest = curves.iter().map(|curve| curve.width).fold(f64::INFINITY, f64::min);
-            let detail = format!(
-                "k_c is negative, which least squares may give; the law then holds for widths above {} m only, and the narrowest plate has {} m",
-                words::number(least_width),
-                words::number(narrowest)
-            );
-            warn("fitted_k_c_negative", detail);
-        }
-        if let Some([least, largest]) = found.exponents_apart().map(|ends| ends.map(words::number)) {
-            warn(
-                "exponents_differ",
-                format!("the plates' own exponents run from {least} to {largest}: one exponent does not describe them"),
-            );
-        }
-        if *left_out > 0 {
-            let rows = if *left_out == 1 { "row" } else { "rows" };
-            warn(
-                "rows_without_sinkage",
-                format!("{left_out} {rows} without sinkage: a power of it tells nothing there, left out"),
-            );
-        }
-        if !found.is_a_soil() {
-            warn("law_not_usable", "k_phi or n0 is not positive: no soil is described by such a law".to_owned());
-        }
-        let mut columns = PlateColumns::default();
-        for (curve, plate) in curves.iter().zip(&found.plates) {
-            columns.width_m.0.extend(std::iter::repeat_n(curve.width, curve.sinkage.len()));
-            columns.sinkage_m.0.extend(&curve.sinkage);
-            columns.measured_pressure_pa.0.extend(&curve.pressure);
-            columns.predicted_pressure_pa.0.extend(&plate.predicted);
-            columns.residual_pressure_pa.0.extend(plate.predicted.iter().zip(&curve.pressure).map(|(p, m)| p - m));
-        }
-        let plate =
-            |(curve, plate): (&terramechanics_identification::PlateCurve, &terramechanics_identification::FittedPlate)| {
-                PlateReply { width_m: curve.width, modulus: plate.modulus, n0: plate.own_exponent }
-            };
-        Ok(Self {
-            identifiable: found.estimates.iter().all(|estimate| estimate.identifiability.is_determined()),
-            estimates: found.estimates.iter().map(EstimateReply::from).collect(),
-            correlation: found.correlation.iter().map(|row| row.to_vec()).collect(),
-            degrees_of_freedom: found.degrees_of_freedom,
-            rmse_pa: found.rmse,
-            plates: curves.iter().zip(&found.plates).map(plate).collect(),
-            columns,
-            pressure_sinkage: BekkerBody { law: "bekker", k_c, k_phi, n0 },
+/// Columns of one curve: what was held, what was set, what was measured and what is predicted.
+struct Curve<'a> {
+    held: f64,
+    set: &'a [f64],
+    measured: &'a [f64],
+    predicted: &'a [f64],
+}
+
+/// All curves, one after the other: held, set, measured, predicted, predicted minus measured.
+fn one_after_the_other<'a>(curves: impl Iterator<Item = Curve<'a>>) -> [Vec<f64>; 5] {
+    let mut columns = [const { Vec::new() }; 5];
+    for Curve { held, set, measured, predicted } in curves {
+        let [helds, sets, measureds, predicteds, residuals] = &mut columns;
+        helds.extend(std::iter::repeat_n(held, set.len()));
+        sets.extend(set);
+        measureds.extend(measured);
+        predicteds.extend(predicted);
+        residuals.extend(predicted.iter().zip(measured).map(|(predicted, measured)| predicted - measured));
+    }
+    columns
+}
+
+impl From<FoundPlates> for PlatesReply {
+    fn from(FoundPlates { curves, fitted, warnings }: FoundPlates) -> Self {
+        let PlatesFit { estimates, correlation, degrees_of_freedom, rmse, plates } = fitted;
+        let [k_c, k_phi, n0] = estimates.each_ref().map(|estimate| estimate.value);
+        let pairs: Vec<(&PlateCurve, &FittedPlate)> = curves.iter().zip(&plates).collect();
+        let columns = one_after_the_other(pairs.iter().map(|(curve, plate)| Curve {
+            held: curve.width,
+            set: &curve.sinkage,
+            measured: &curve.pressure,
+            predicted: &plate.predicted,
+        }));
+        let plate = |(curve, plate): &(&PlateCurve, &FittedPlate)| PlateReply {
+            width_m: curve.width,
+            modulus: plate.modulus,
+            n0: plate.own_exponent,
+        };
+        Self {
+            identifiable: estimates.iter().all(|estimate| estimate.identifiability.is_determined()),
+            estimates: estimates.iter().map(EstimateReply::from).collect(),
+            correlation: correlation.iter().map(|row| row.to_vec()).collect(),
+            degrees_of_freedom,
+            rmse_pa: rmse,
+            plates: pairs.iter().map(plate).collect(),
+            columns: Columns::of_numbers(&PLATE_COLUMNS, columns),
+            pressure_sinkage: soil::bekker(k_c, k_phi, n0),
             warnings,
-        })
-    }
-}
-
-impl ShearReply {
-    /// The fit.
-    ///
-    /// # Errors
-    /// What the tests do not tell.
-    pub(crate) fn of(ShearTestsQuery(curves): &ShearTestsQuery, pace: &Pace) -> Result<Self, FieldFault> {
-        let found = fit_shear_curves_while(curves, &|| pace.goes_on()).map_err(shear_fault)?;
-        let mut columns = ShearColumns::default();
-        for (curve, predicted) in curves.iter().zip(&found.predicted) {
-            columns.normal_stress_pa.0.extend(std::iter::repeat_n(curve.normal, curve.shear.len()));
-            columns.displacement_m.0.extend(&curve.displacement);
-            columns.measured_shear_stress_pa.0.extend(&curve.shear);
-            columns.predicted_shear_stress_pa.0.extend(predicted);
-            columns.residual_shear_stress_pa.0.extend(predicted.iter().zip(&curve.shear).map(|(p, m)| p - m));
         }
-        Ok(Self {
-            identifiable: found.estimates.iter().all(|estimate| estimate.identifiability.is_determined()),
-            estimates: found.estimates.iter().map(EstimateReply::from).collect(),
-            correlation: found.correlation,
-            degrees_of_freedom: found.degrees_of_freedom,
-            rmse_pa: found.rmse,
-            columns,
-            warnings: open(&found.estimates).into_iter().chain(implausible(&found.estimates, f64::NAN)).collect(),
-        })
     }
 }
 
-/// Warns of parameters that the data leave open or that lie at a bound.
-fn open(estimates: &[Estimate]) -> Vec<Warning> {
-    let mut warnings = Vec::new();
-    let open: Vec<&str> = estimates
-        .iter()
-        .filter(|estimate| !estimate.identifiability.is_determined())
-        .map(|estimate| name_of(estimate.unknown))
-        .collect();
-    if !open.is_empty() {
-        let detail = format!("the data do not determine {}; see each one's `identifiability`", open.join(", "));
-        warnings.push(Warning::new("not_identifiable", detail));
+impl From<FoundShear> for ShearReply {
+    fn from(FoundShear { curves, fitted, warnings }: FoundShear) -> Self {
+        let ShearFit { estimates, correlation, degrees_of_freedom, rmse, predicted } = fitted;
+        let columns = one_after_the_other(curves.iter().zip(&predicted).map(|(curve, predicted)| Curve {
+            held: curve.normal,
+            set: &curve.displacement,
+            measured: &curve.shear,
+            predicted,
+        }));
+        Self {
+            identifiable: estimates.iter().all(|estimate| estimate.identifiability.is_determined()),
+            estimates: estimates.iter().map(EstimateReply::from).collect(),
+            correlation,
+            degrees_of_freedom,
+            rmse_pa: rmse,
+            columns: Columns::of_numbers(&SHEAR_COLUMNS, columns),
+            warnings,
+        }
     }
-    for estimate in estimates.iter().filter(|estimate| estimate.at_bound.is_some()) {
-        let detail = format!("{} lies at its lower bound 0", name_of(estimate.unknown));
-        warnings.push(Warning::new("at_bound", detail));
-    }
-    warnings
 }
 
 impl Reply for PlatesReply {
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        let columns = &self.columns;
-        vec![
-            ("width_m".into(), &columns.width_m.0),
-            ("sinkage_m".into(), &columns.sinkage_m.0),
-            ("measured_pressure_pa".into(), &columns.measured_pressure_pa.0),
-            ("predicted_pressure_pa".into(), &columns.predicted_pressure_pa.0),
-            ("residual_pressure_pa".into(), &columns.residual_pressure_pa.0),
-        ]
+        self.columns.as_table()
     }
 
     fn warnings(&self) -> &[Warning] {
@@ -242,14 +197,7 @@ impl Reply for PlatesReply {
 
 impl Reply for ShearReply {
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        let columns = &self.columns;
-        vec![
-            ("normal_stress_pa".into(), &columns.normal_stress_pa.0),
-            ("displacement_m".into(), &columns.displacement_m.0),
-            ("measured_shear_stress_pa".into(), &columns.measured_shear_stress_pa.0),
-            ("predicted_shear_stress_pa".into(), &columns.predicted_shear_stress_pa.0),
-            ("residual_shear_stress_pa".into(), &columns.residual_shear_stress_pa.0),
-        ]
+        self.columns.as_table()
     }
 
     fn warnings(&self) -> &[Warning] {

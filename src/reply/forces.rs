@@ -2,13 +2,17 @@
 
 use std::borrow::Cow;
 
-use serde::Serialize;
-use terramechanics::{Error, Heading, Method, Outcome, cautions};
-use utoipa::ToSchema;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+use terramechanics::Method;
+use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, Type};
+use utoipa::openapi::{Ref, RefOr, Schema};
+use utoipa::{PartialSchema, ToSchema};
 
-use super::warning::system_warnings;
-use super::{AnglesReply, Reply, Warning};
-use crate::request::ForcesQuery;
+use super::{AnglesReply, Reply};
+use crate::found::FoundForces;
+use crate::quantity::{About, Field, OfPoint, Part, Point, PointValue, object_of, point_rows, with_fields};
+use crate::warning::Warning;
 
 /// The name of a method on the wire.
 pub(crate) fn method_name(method: &Method) -> &'static str {
@@ -19,147 +23,111 @@ pub(crate) fn method_name(method: &Method) -> &'static str {
     }
 }
 
-/// Forces and torque on the wheel.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = Forces)]
+/// Forces and torque on the wheel: the quantities of the point, each in its part of the object.
+#[derive(Debug)]
 pub(crate) struct ForcesReply {
-    /// Slip ratio s (–).
-    slip: f64,
-    /// Sinkage z (m).
-    sinkage_m: f64,
-    /// The method by which the forces were found.
     method: &'static str,
     angles: AnglesReply,
-    /// Longitudinal force F_x, the drawbar pull (N).
-    longitudinal_force_n: f64,
-    /// Normal force F_z (N).
-    normal_force_n: f64,
-    /// Torque T about the axle (N·m).
-    torque_n_m: f64,
-    components: ComponentsReply,
-    /// Lateral force F_y (N), to the left, with the sign of the slip angle; present where a slip angle was sent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    lateral_force_n: Option<f64>,
-    /// Overturning moment M_x = r F_y (N·m) about the axis ahead; present where a slip angle was sent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    overturning_moment_n_m: Option<f64>,
-    /// Aligning moment M_z (N·m) of the lateral stresses about the axis upwards; present where a slip angle was sent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    aligning_moment_n_m: Option<f64>,
-    /// F_x/F_z (–); null where F_z is not positive.
-    drawbar_coefficient: Option<f64>,
-    /// F_x v/(T ω) (–), the power at the axle over that of the torque; null unless the wheel drives. Negative where a driven wheel has to be pulled all the same, and then it has no lower bound.
-    tractive_efficiency: Option<f64>,
-    /// Sinkage modulus K_s (Pa/m^N).
-    sinkage_modulus: f64,
-    /// Sinkage exponent N (–).
-    sinkage_exponent: f64,
-    /// Shearing radius r_s (m).
-    shearing_radius_m: f64,
+    quantities: Vec<(&'static About, Part)>,
+    /// The value of each; NaN where it is undefined.
+    values: Vec<f64>,
     warnings: Vec<Warning>,
-    /// The numbers once more, as the one row of a table.
-    #[serde(skip)]
-    row: Vec<f64>,
 }
 
-/// The four parts of the forces: F_x = traction − resistance, F_z = normal support + shear support.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = Components)]
-struct ComponentsReply {
-    /// Shear stress along x (N).
-    traction_n: f64,
-    /// Normal stress against x (N).
-    resistance_n: f64,
-    /// Normal stress along z (N).
-    normal_support_n: f64,
-    /// Shear stress along z (N).
-    shear_support_n: f64,
+impl From<FoundForces> for ForcesReply {
+    fn from(found: FoundForces) -> Self {
+        let FoundForces { operation, motion, point, warnings } = found;
+        let at = Point::of(&operation.system.wheel, motion, &point);
+        let is_there = |of: &OfPoint| at.forces.side.is_some() || !of.value.is_sideways();
+        let rows = point_rows().filter(|(_, of)| is_there(of));
+        let (quantities, values) = rows.map(|(about, of)| ((about, of.part), of.value.at(&at))).unzip();
+        Self { method: method_name(&operation.model.method), angles: point.angles.into(), quantities, values, warnings }
+    }
 }
 
-/// Names of the columns of forces, here and in a sweep.
-pub(super) const COLUMNS: [&str; 11] = [
-    "slip",
-    "sinkage_m",
-    "longitudinal_force_n",
-    "normal_force_n",
-    "torque_n_m",
-    "traction_n",
-    "resistance_n",
-    "normal_support_n",
-    "shear_support_n",
-    "drawbar_coefficient",
-    "tractive_efficiency",
-];
+impl ForcesReply {
+    fn part(&self, part: Part) -> impl Iterator<Item = (&'static str, Option<f64>)> {
+        let all = self.quantities.iter().zip(&self.values);
+        all.filter(move |((_, of), _)| *of == part).map(|((about, _), value)| (about.name, value.is_finite().then_some(*value)))
+    }
+}
 
-/// Names of the further columns where a slip angle was sent.
-pub(super) const SIDE_COLUMNS: [&str; 3] = ["lateral_force_n", "overturning_moment_n_m", "aligning_moment_n_m"];
+/// The four parts of the forces as an object of their own.
+struct Parts<'a>(&'a ForcesReply);
 
-impl TryFrom<&ForcesQuery> for ForcesReply {
-    type Error = Error;
+impl Serialize for Parts<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.part(Part::Components))
+    }
+}
 
-    fn try_from(query: &ForcesQuery) -> Result<Self, Error> {
-        let ForcesQuery { operation, motion } = query;
-        let wheel = &operation.system.wheel;
-        let point = operation.at(motion.slip)?;
-        let forces = point.forces.heading(motion.heading);
-        let parts = &forces.components;
-        let mut warnings: Vec<Warning> = cautions(operation, &Outcome::from(&point)).map(Warning::from).collect();
-        warnings.extend(system_warnings(wheel, operation.system.soil.params()));
-        if motion.heading == Heading::Backward {
-            warnings.push(Warning::mirrored());
+impl Serialize for ForcesReply {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for part in Part::ALL {
+            match part {
+                Part::Components => map.serialize_entry("components", &Parts(self))?,
+                part => {
+                    for (name, value) in self.part(part) {
+                        map.serialize_entry(name, &value)?;
+                    }
+                }
+            }
+            if part == Part::Motion {
+                map.serialize_entry("method", self.method)?;
+                map.serialize_entry("angles", &self.angles)?;
+            }
         }
-        let drawbar_coefficient = forces.drawbar_coefficient();
-        let efficiency = || forces.tractive_efficiency(wheel, motion.slip, motion.heading);
-        let tractive_efficiency = if motion.at_rest { None } else { efficiency() }; // 0/0
-        let side = forces.side;
-        let mut row = vec![
-            motion.slip.ratio(),
-            point.sinkage,
-            forces.longitudinal,
-            forces.normal,
-            forces.torque,
-            parts.traction,
-            parts.resistance,
-            parts.normal_support,
-            parts.shear_support,
-            drawbar_coefficient.unwrap_or(f64::NAN),
-            tractive_efficiency.unwrap_or(f64::NAN),
-        ];
-        row.extend(side.iter().flat_map(|side| [side.lateral, side.overturning_moment, side.aligning_moment]));
-        Ok(Self {
-            slip: motion.slip.ratio(),
-            sinkage_m: point.sinkage,
-            method: method_name(&operation.model.method),
-            angles: point.angles.into(),
-            longitudinal_force_n: forces.longitudinal,
-            normal_force_n: forces.normal,
-            torque_n_m: forces.torque,
-            components: ComponentsReply {
-                traction_n: parts.traction,
-                resistance_n: parts.resistance,
-                normal_support_n: parts.normal_support,
-                shear_support_n: parts.shear_support,
-            },
-            lateral_force_n: side.map(|side| side.lateral),
-            overturning_moment_n_m: side.map(|side| side.overturning_moment),
-            aligning_moment_n_m: side.map(|side| side.aligning_moment),
-            drawbar_coefficient,
-            tractive_efficiency,
-            sinkage_modulus: point.sinkage_modulus,
-            sinkage_exponent: point.sinkage_exponent,
-            shearing_radius_m: wheel.shearing_radius(),
-            warnings,
-            row,
-        })
+        map.serialize_entry("warnings", &self.warnings)?;
+        map.end()
+    }
+}
+
+/// The fields of some parts, for the contract.
+fn fields(is_wanted: impl Fn(Part) -> bool) -> Vec<Field> {
+    let field = |(about, of): (&'static About, OfPoint)| Field {
+        about,
+        nullable: matches!(of.value, PointValue::OrNone(_)),
+        present: of.value.is_sideways().then_some("where a slip angle was sent"),
+    };
+    point_rows().filter(|(_, of)| is_wanted(of.part)).map(field).collect()
+}
+
+impl PartialSchema for ForcesReply {
+    fn schema() -> RefOr<Schema> {
+        let method =
+            ObjectBuilder::new().schema_type(Type::String).description(Some("The method by which the forces were found."));
+        let warnings = ArrayBuilder::new().items(Ref::from_schema_name(Warning::name()));
+        let object = ObjectBuilder::new()
+            .description(Some("Forces and torque on the wheel."))
+            .property("method", method)
+            .property("angles", Ref::from_schema_name(AnglesReply::name()))
+            .property("components", Ref::from_schema_name("Components"))
+            .property("warnings", warnings);
+        let object = ["method", "angles", "components", "warnings"].into_iter().fold(object, ObjectBuilder::required);
+        with_fields(object, &fields(|part| part != Part::Components), Field::number).into()
+    }
+}
+
+impl ToSchema for ForcesReply {
+    fn name() -> Cow<'static, str> {
+        "Forces".into()
+    }
+
+    fn schemas(found: &mut Vec<(String, RefOr<Schema>)>) {
+        const DOC: &str = "The four parts of the forces: F_x = traction − resistance, F_z = normal support + shear support.";
+        let components = object_of(DOC, &fields(|part| part == Part::Components), Field::number);
+        found.push(("Components".to_owned(), components.into()));
+        found.push((AnglesReply::name().into_owned(), AnglesReply::schema()));
+        found.push((Warning::name().into_owned(), Warning::schema()));
+        Warning::schemas(found);
     }
 }
 
 impl Reply for ForcesReply {
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        COLUMNS.into_iter().chain(SIDE_COLUMNS).map(Cow::from).zip(self.row.chunks(1)).collect()
+        let all = self.quantities.iter().zip(self.values.chunks(1));
+        all.filter(|((_, part), _)| part.is_column()).map(|((about, _), value)| (about.name.into(), value)).collect()
     }
 
     fn warnings(&self) -> &[Warning] {

@@ -1,167 +1,75 @@
-//! A soil and a contact as a request would spell them out.
+//! A soil and a contact as a request spells them out, so that what is answered can be sent back.
 
-use serde::Serialize;
-use terramechanics::{ContactParams, PeakRule, PressureSinkage, ShearLaw, SoilParams};
-use utoipa::ToSchema;
+use serde::{Serialize, Serializer};
+use terramechanics::{
+    Bekker, Contact, ContactParams, Declared, JanosiHanamoto, Parameter, PressureSinkage, ShearLaw, SinkageExponent, Soil,
+    SoilParams,
+};
 
-/// A soil, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = FoundSoil)]
-pub(super) struct SoilBody {
-    /// Cohesion c (Pa).
-    cohesion_pa: f64,
-    /// Internal friction angle φ (rad).
-    friction_angle_rad: f64,
-    /// Shear deformation modulus K (m), where the shear law has it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    shear_modulus_m: Option<f64>,
-    /// Pressure–sinkage law, where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    pressure_sinkage: Option<LawBody>,
-    /// Shear law, where it is another than Janosi–Hanamoto's.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    shear: Option<ShearBody>,
-    /// Shear deformation modulus K_y across the direction of travel (m), where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    lateral_shear_modulus_m: Option<f64>,
-    /// Unit weight γ (N/m³), where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    unit_weight_n_m3: Option<f64>,
+/// An object of a request: its fields by name, in order.
+#[derive(Debug)]
+pub(super) struct Spelled(Vec<(&'static str, Member)>);
+
+#[derive(Debug)]
+enum Member {
+    Number(f64),
+    Word(&'static str),
+    Object(Spelled),
 }
 
-/// A pressure–sinkage law, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[serde(tag = "law", rename_all = "snake_case")]
-#[schema(as = FoundLaw)]
-enum LawBody {
-    /// Bekker's.
-    #[schema(title = "FoundLaw bekker")]
-    Bekker {
-        k_c: f64,
-        k_phi: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
-    /// A modulus as it is.
-    #[schema(title = "FoundLaw direct")]
-    Direct {
-        k_s: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
-    /// Reece's.
-    #[schema(title = "FoundLaw reece")]
-    Reece {
-        k_c: f64,
-        k_phi: f64,
-        unit_weight_n_m3: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
-    /// Meirion-Griffith & Spenko's.
-    #[schema(title = "FoundLaw diameter")]
-    Diameter {
-        k: f64,
-        m: f64,
-        n0: f64,
-        n1: f64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        #[schema(nullable = false)]
-        n2: Option<f64>,
-    },
+impl Serialize for Spelled {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, member)| (name, member)))
+    }
 }
 
-/// A shear law, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[serde(tag = "law", rename_all = "snake_case")]
-#[schema(as = FoundShear)]
-enum ShearBody {
-    /// Over a hump to a residual.
-    #[schema(title = "FoundShear wong_residual")]
-    WongResidual { residual_ratio: f64, peak_displacement_m: f64 },
-    /// Over a peak to nothing.
-    #[schema(title = "FoundShear wong_peak")]
-    WongPeak { peak_displacement_m: f64 },
-}
-
-/// A contact, ready for a request.
-#[derive(Debug, Serialize, ToSchema)]
-#[serde(tag = "rule", rename_all = "snake_case")]
-#[schema(as = FoundContact)]
-pub(super) enum ContactBody {
-    /// θm = (θ1 + θ2)/2.
-    #[schema(title = "FoundContact midpoint")]
-    Midpoint { c3: f64 },
-    /// θm = (c1 + c2 s) θ1.
-    #[schema(title = "FoundContact wong_reece")]
-    WongReece { c1: f64, c2: f64, c3: f64 },
-    /// θm = arccos(1 − z/(2r)).
-    #[schema(title = "FoundContact half_sinkage")]
-    HalfSinkage { c3: f64 },
-}
-
-impl From<&SoilParams> for SoilBody {
-    fn from(soil: &SoilParams) -> Self {
-        let pressure_sinkage = soil.pressure_sinkage.as_ref().map(LawBody::from);
-        let (shear_modulus_m, shear) = match soil.shear {
-            None => (None, None),
-            Some(ShearLaw::JanosiHanamoto(law)) => (Some(law.modulus), None),
-            Some(ShearLaw::WongResidual(law)) => {
-                let (residual_ratio, peak_displacement_m) = (law.residual_ratio, law.peak_displacement);
-                (None, Some(ShearBody::WongResidual { residual_ratio, peak_displacement_m }))
-            }
-            Some(ShearLaw::WongPeak(law)) => (None, Some(ShearBody::WongPeak { peak_displacement_m: law.peak_displacement })),
-        };
-        let (cohesion_pa, friction_angle_rad) = (soil.cohesion, soil.friction_angle);
-        let (lateral_shear_modulus_m, unit_weight_n_m3) = (soil.lateral_shear_modulus, soil.unit_weight);
-        Self {
-            cohesion_pa,
-            friction_angle_rad,
-            shear_modulus_m,
-            pressure_sinkage,
-            shear,
-            lateral_shear_modulus_m,
-            unit_weight_n_m3,
+impl Serialize for Member {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Number(value) => value.serialize(serializer),
+            Self::Word(word) => word.serialize(serializer),
+            Self::Object(object) => object.serialize(serializer),
         }
     }
 }
 
-impl From<&PressureSinkage> for LawBody {
-    fn from(law: &PressureSinkage) -> Self {
-        let exponent = law.exponent();
-        let (n0, n1, n2) = (exponent.base, exponent.slip_gain, exponent.skid_gain);
-        match law {
-            PressureSinkage::Bekker(law) => Self::Bekker { k_c: law.k_c, k_phi: law.k_phi, n0, n1, n2 },
-            PressureSinkage::Direct(law) => Self::Direct { k_s: law.k_s, n0, n1, n2 },
-            PressureSinkage::Reece(law) => {
-                Self::Reece { k_c: law.k_c, k_phi: law.k_phi, unit_weight_n_m3: law.unit_weight, n0, n1, n2 }
-            }
-            PressureSinkage::Diameter(law) => Self::Diameter { k: law.k, m: law.m, n0, n1, n2 },
-        }
-    }
+/// A law or a rule under its tag, with the values of its parameters.
+fn tagged(tag: &'static str, name: &'static str, values: impl Iterator<Item = (&'static Parameter, f64)>) -> Spelled {
+    let values = values.map(|(parameter, value)| (parameter.name, Member::Number(value)));
+    Spelled([(tag, Member::Word(name))].into_iter().chain(values).collect())
 }
 
-impl From<&ContactParams> for ContactBody {
-    fn from(contact: &ContactParams) -> Self {
-        let c3 = contact.exit_ratio;
-        match contact.rule {
-            PeakRule::Midpoint => Self::Midpoint { c3 },
-            PeakRule::WongReece(rule) => Self::WongReece { c1: rule.c1, c2: rule.c2, c3 },
-            PeakRule::HalfSinkage => Self::HalfSinkage { c3 },
-        }
-    }
+/// A soil, with those of its laws that are known.
+pub(super) fn soil(soil: &SoilParams) -> Spelled {
+    // The law that a request has without naming one.
+    let (modulus, shear) = match soil.shear {
+        Some(ShearLaw::JanosiHanamoto(law)) => (Some(law.modulus), None),
+        other => (None, other.map(|law| Member::Object(tagged("law", law.law().name, law.parameters())))),
+    };
+    let members = [
+        (Soil::COHESION.name, Some(Member::Number(soil.cohesion))),
+        (Soil::FRICTION_ANGLE.name, Some(Member::Number(soil.friction_angle))),
+        (JanosiHanamoto::MODULUS.name, modulus.map(Member::Number)),
+        ("pressure_sinkage", soil.pressure_sinkage.as_ref().map(|law| Member::Object(pressure_sinkage(law)))),
+        ("shear", shear),
+        (Soil::LATERAL_SHEAR_MODULUS.name, soil.lateral_shear_modulus.map(Member::Number)),
+        (Soil::UNIT_WEIGHT.name, soil.unit_weight.map(Member::Number)),
+    ];
+    Spelled(members.into_iter().filter_map(|(name, member)| Some((name, member?))).collect())
+}
+
+fn pressure_sinkage(law: &PressureSinkage) -> Spelled {
+    tagged("law", law.law().name, law.parameters())
+}
+
+/// Bekker's law with an exponent that does not change with slip.
+pub(super) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Spelled {
+    let values = [(&Bekker::K_C, k_c), (&Bekker::K_PHI, k_phi), (&SinkageExponent::BASE, n0)];
+    tagged("law", Bekker::NAME, values.into_iter())
+}
+
+/// A contact.
+pub(super) fn contact(contact: &ContactParams) -> Spelled {
+    let exit = [(&Contact::EXIT_RATIO, contact.exit_ratio)];
+    tagged("rule", contact.rule.law().name, contact.rule.parameters().chain(exit))
 }

@@ -3,12 +3,13 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics::{Error, Heading, Outcome, StressProfile, cautions};
+use terramechanics::StressProfile;
 use utoipa::ToSchema;
 
-use super::warning::system_warnings;
-use super::{AnglesReply, Column, Reply, Warning};
-use crate::request::ProfileQuery;
+use super::{AnglesReply, Reply};
+use crate::found::FoundProfile;
+use crate::quantity::{About, Columns, Field, Shape};
+use crate::warning::Warning;
 
 /// Stresses along the rim, exact and linearised.
 #[derive(Debug, Serialize, ToSchema)]
@@ -34,97 +35,49 @@ struct PeakReply {
     shear_stress_pa: f64,
 }
 
-/// Columns of one length, from exit to entry.
-#[derive(Debug, Serialize, ToSchema)]
-struct ProfileColumns {
-    /// θ (rad), ascending.
-    #[schema(value_type = Vec<f64>)]
-    theta_rad: Column,
-    /// Depth that presses there (m).
-    #[schema(value_type = Vec<f64>)]
-    sinkage_m: Column,
-    /// Normal stress σ (Pa).
-    #[schema(value_type = Vec<f64>)]
-    normal_stress_pa: Column,
-    /// Shear stress τ (Pa).
-    #[schema(value_type = Vec<f64>)]
-    shear_stress_pa: Column,
-    /// Linearised normal stress (Pa); null where a braking wheel has two zones.
-    #[schema(value_type = Vec<Option<f64>>)]
-    normal_stress_linear_pa: Column,
-    /// Linearised shear stress (Pa); null where a braking wheel has two zones.
-    #[schema(value_type = Vec<Option<f64>>)]
-    shear_stress_linear_pa: Column,
+/// Columns along the rim.
+#[derive(Debug)]
+struct AlongRim;
+
+type ProfileColumns = Columns<AlongRim>;
+
+static COLUMNS: [About; 6] = [
+    About::new("theta_rad", "θ", "rad", "place on the rim, ascending"),
+    About::new("sinkage_m", "z(θ)", "m", "depth that presses there"),
+    About::new("normal_stress_pa", "σ", "Pa", "normal stress"),
+    About::new("shear_stress_pa", "τ", "Pa", "shear stress"),
+    About::new("normal_stress_linear_pa", "σ", "Pa", "linearised normal stress; null where a braking wheel has two zones"),
+    About::new("shear_stress_linear_pa", "τ", "Pa", "linearised shear stress; null where a braking wheel has two zones"),
+];
+
+impl Shape for AlongRim {
+    const NAME: &'static str = "ProfileColumns";
+    const DOC: &'static str = "Columns of one length, from exit to entry.";
+
+    fn fields() -> Vec<Field> {
+        let (exact, linear) = COLUMNS.split_at(4);
+        exact.iter().map(Field::always).chain(linear.iter().map(Field::or_null)).collect()
+    }
 }
 
-impl TryFrom<&ProfileQuery> for ProfileReply {
-    type Error = Error;
-
-    fn try_from(query: &ProfileQuery) -> Result<Self, Error> {
-        let ProfileQuery { operation, motion, peak_depth, points } = query;
-        let rolling = operation.system.rolling(motion.slip)?;
-        let (sinkage, solved) = operation.sinkage_of(&rolling)?;
-        let patch = rolling.contact(sinkage)?;
-        let stresses = patch.stresses()?;
-        let peak = stresses.at(patch.angles.peak);
-        let profile = StressProfile::of(&stresses, *points, *peak_depth);
+impl From<FoundProfile> for ProfileReply {
+    fn from(found: FoundProfile) -> Self {
+        let FoundProfile { slip, sinkage, angles, peak, profile, warnings } = found;
         let StressProfile { theta, depth, normal, shear, normal_linear, shear_linear } = profile;
-        let parted = patch.has_two_zones();
-        let finite = |columns: [&[f64]; 5]| columns.iter().all(|column| column.iter().all(|value| value.is_finite()));
-        let (normal_stated, shear_stated): (&[f64], &[f64]) = if parted { (&[], &[]) } else { (&normal_linear, &shear_linear) };
-        if !finite([&depth, &normal, &shear, normal_stated, shear_stated]) {
-            return Err(Error::NotFinite);
-        }
-        let outcome = Outcome {
-            slip: motion.slip,
-            sinkage,
-            normal: solved.map(|forces| forces.normal),
-            integration_error: solved.map_or(0.0, |forces| forces.integration_error),
-            mobilised_share: None,
-        };
-        let mut warnings: Vec<Warning> = cautions(operation, &outcome).map(Warning::from).collect();
-        warnings.extend(system_warnings(&operation.system.wheel, operation.system.soil.params()));
-        if motion.heading == Heading::Backward {
-            warnings.push(Warning::mirrored());
-        }
-        if parted {
-            let detail = "two zones have no linear stresses: no shear stress acts at their peak";
-            warnings.push(Warning::new("no_linear_stresses", detail));
-        }
-        if *points < StressProfile::FEWEST_POINTS {
-            let detail =
-                format!("the exit, the peak and the entry are always among the places, so there are {} of them", theta.len());
-            warnings.push(Warning::new("points_raised", detail));
-        }
-        Ok(Self {
-            slip: motion.slip.ratio(),
+        Self {
+            slip: slip.ratio(),
             sinkage_m: sinkage,
-            angles: patch.angles.into(),
+            angles: angles.into(),
             peak: PeakReply { normal_stress_pa: peak.normal, shear_stress_pa: peak.shear },
-            columns: ProfileColumns {
-                theta_rad: Column(theta),
-                sinkage_m: Column(depth),
-                normal_stress_pa: Column(normal),
-                shear_stress_pa: Column(shear),
-                normal_stress_linear_pa: Column(normal_linear),
-                shear_stress_linear_pa: Column(shear_linear),
-            },
+            columns: Columns::of_numbers(&COLUMNS, [theta, depth, normal, shear, normal_linear, shear_linear]),
             warnings,
-        })
+        }
     }
 }
 
 impl Reply for ProfileReply {
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        let columns = &self.columns;
-        vec![
-            ("theta_rad".into(), &columns.theta_rad.0),
-            ("sinkage_m".into(), &columns.sinkage_m.0),
-            ("normal_stress_pa".into(), &columns.normal_stress_pa.0),
-            ("shear_stress_pa".into(), &columns.shear_stress_pa.0),
-            ("normal_stress_linear_pa".into(), &columns.normal_stress_linear_pa.0),
-            ("shear_stress_linear_pa".into(), &columns.shear_stress_linear_pa.0),
-        ]
+        self.columns.as_table()
     }
 
     fn warnings(&self) -> &[Warning] {

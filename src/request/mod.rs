@@ -33,7 +33,7 @@ pub(crate) use coupled::{CoupledDto, CoupledQuery};
 pub(crate) use curves::{PlatesDto, PlatesQuery, ShearTestsDto, ShearTestsQuery, plates_fault, shear_fault};
 pub(crate) use forces::{ForcesDto, ForcesQuery};
 pub(crate) use identify::{FitQuery, IdentifyDto, IdentifyQuery, LinearQuery, column_name, fit_fault, name_of, refusal_pointer};
-pub(crate) use pressure_sinkage::LAWS;
+pub(crate) use pressure_sinkage::{LAWS, PressureSinkageDto};
 pub(crate) use refusal::{error_fault, error_pointer};
 pub(crate) use resistances::{ResistancesDto, ResistancesQuery};
 use series::ColumnsDto;

@@ -12,9 +12,7 @@ use ndjson::NdjsonReader;
 #[cfg(fuzzing)]
 pub(crate) use pieces::all;
 pub(crate) use run::Run;
-use writer::strength_cells;
-use writer::{Ending, RowFormat, Table};
-pub(crate) use writer::{NUMBERS, StrengthCells, numbers};
+use writer::{RowFormat, Table};
 
 use std::fmt;
 

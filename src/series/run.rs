@@ -6,11 +6,13 @@ use axum::body::Bytes;
 use terramechanics::{Sample, Tracker};
 use terramechanics_identification::RunningStrength;
 
-use super::{Ending, MOST_IN_COLUMNS, Read, Reader, Row, RowFormat, Table, Unreadable, strength_cells};
+use super::{MOST_IN_COLUMNS, Read, Reader, Row, RowFormat, Table, Unreadable};
 use crate::compute::SLICE;
 use crate::extract::SeriesForm;
+use crate::found::FoundTrack;
 use crate::problem::Problem;
-use crate::reply::{Findings, TrackReply};
+use crate::quantity::{Beside, Row as Cells, SampleLists};
+use crate::reply::TrackReply;
 use crate::request::{Samples, TrackPlan, TrackQuery, TrackSettings, collected};
 use crate::stream::{PIECE, Progress, Work};
 use crate::wire::FieldFault;
@@ -44,7 +46,7 @@ struct Started {
 #[derive(Debug)]
 enum Sink {
     Rows(Table),
-    Columns(Box<TrackReply>),
+    Columns(SampleLists),
 }
 
 impl Run {
@@ -72,13 +74,12 @@ impl Run {
         };
         let Some(layout) = layout else { return Ok(()) };
         let plan = collected(|place| self.settings.plan(layout, place)).map_err(Problem::Invalid)?;
-        let coupled = plan.is_coupled();
         let strength = self.settings.strength;
-        let table = |format| Sink::Rows(Table { format, coupled, strength: strength.is_some() });
+        let beside = Beside { coupled: plan.is_coupled(), strength: strength.is_some() };
         let sink = match self.form {
-            SeriesForm::Json => Sink::Columns(Box::new(TrackReply::new(coupled, strength.is_some(), rows))),
-            SeriesForm::Csv => table(RowFormat::Csv),
-            SeriesForm::Ndjson => table(RowFormat::Ndjson),
+            SeriesForm::Json => Sink::Columns(SampleLists::with(beside, rows)),
+            SeriesForm::Csv => Sink::Rows(Table::new(RowFormat::Csv, beside)),
+            SeriesForm::Ndjson => Sink::Rows(Table::new(RowFormat::Ndjson, beside)),
         };
         let rows_per_look = if self.settings.operation.model.method.is_closed_form() { 32 } else { 1 };
         self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), strength, sink, rows_per_look });
@@ -127,37 +128,37 @@ impl Started {
         let sample = Sample { unreadable: row.unreadable, ..self.plan.sample(&row.cells) };
         let is_first = self.tracker.rows() == 0;
         let row = self.tracker.push(&sample);
-        let strength = self.strength.as_mut().map(|running| strength_cells(running.follow(&sample, &row)));
+        let strength = self.strength.as_mut().and_then(|running| running.follow(&sample, &row));
+        let cells = Cells { row: &row, strength: strength.as_ref() };
         match &mut self.sink {
             Sink::Rows(table) => {
                 // Not before, so that a series without samples, or with a first one that is wrong, can be refused.
                 if is_first {
                     table.head(output);
                 }
-                table.row(&row, strength.as_ref(), output);
+                table.row(&cells, output);
             }
             Sink::Columns(_) if self.tracker.rows() > MOST_IN_COLUMNS as u64 => {
                 let detail =
                     format!("an answer in columns has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson");
                 return Err(Problem::Invalid(vec![FieldFault { pointer: String::new(), detail }]));
             }
-            Sink::Columns(reply) => reply.push(&row, strength.as_ref()),
+            Sink::Columns(lists) => lists.push(&cells),
         }
         Ok(())
     }
 
     fn end(&mut self, unreadable: &Unreadable, output: &mut Vec<u8>) -> Result<(), Problem> {
         self.tracker.finish();
-        let findings = Findings::of(&self.tracker, &self.plan, unreadable, self.strength.as_ref());
+        let found = FoundTrack::of(&self.tracker, &self.plan, unreadable, self.strength.as_ref());
         match &mut self.sink {
             Sink::Rows(table) => {
-                let Findings { rows, events, warnings } = &findings;
-                table.end(&Ending { rows: *rows, warnings, events }, output);
+                table.end(&found, output);
                 Ok(())
             }
-            Sink::Columns(reply) => {
-                reply.end(findings);
-                serde_json::to_writer(output, reply).map_err(|error| {
+            Sink::Columns(lists) => {
+                let reply = TrackReply::of(std::mem::take(lists).into_columns(), found);
+                serde_json::to_writer(output, &reply).map_err(|error| {
                     tracing::error!(%error, "a reply could not be written");
                     Problem::Internal
                 })

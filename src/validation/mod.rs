@@ -5,14 +5,16 @@
 //! to the very measurements, the set says so, and nothing is averaged over sets of both kinds. Adding a set is adding a
 //! record to that folder and to [`RECORDS`].
 
+mod compared;
 mod prediction;
 mod record;
 mod run;
 mod side_slip;
 
+pub(crate) use compared::{COMPARED, Compared};
 pub(crate) use prediction::{Prediction, root_mean_square};
-pub(crate) use record::{MeasurementGrade, Quantities, Record};
-pub(crate) use run::Run;
+pub(crate) use record::{MeasurementGrade, Record};
+pub(crate) use run::{Run, all_runs};
 
 use std::sync::LazyLock;
 
@@ -94,11 +96,12 @@ mod tests {
         for record in records() {
             let points = record.points();
             assert!(points.slip.is_sorted() && !points.slip.is_empty(), "{}", record.id);
-            let Quantities { longitudinal_force, sinkage, torque, lateral_force } = points.measured();
-            for column in [points.load(), longitudinal_force, sinkage, torque, lateral_force] {
+            let load = points.load();
+            assert_eq!(load.len(), points.slip.len(), "{}", record.id);
+            for column in COMPARED.iter().filter_map(|compared| compared.published(points)) {
                 assert_eq!(column.len(), points.slip.len(), "{}", record.id);
             }
-            assert!(points.load().iter().all(|load| *load > 0.0));
+            assert!(load.iter().all(|load| *load > 0.0));
             assert!(record.slip().is_sorted(), "{}", record.id);
         }
     }

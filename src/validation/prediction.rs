@@ -2,55 +2,51 @@
 
 use terramechanics::{Caution, OperatingPoint, Outcome, cautions};
 
-use super::{Quantities, Record, Run};
-use crate::reply::RowCautions;
+use super::{Record, Run};
 use crate::request::{ForcesDto, ForcesQuery, checked};
+use crate::warning::{Reason, RowCautions};
 use crate::wire::read;
 
-/// What one run gives at the measured slips and loads, NaN where it has no solution.
-#[derive(Debug, Default)]
+/// What one run gives at the measured slips and loads.
+#[derive(Debug)]
 pub(crate) struct Prediction {
-    /// The lateral force is NaN also where the wheel goes straight ahead.
-    pub(crate) quantities: Quantities,
-    /// Points without a solution, and why.
-    pub(crate) gaps: Vec<(usize, String)>,
+    pub(crate) run: &'static Run,
+    /// The points, or why there is none.
+    points: Vec<Result<OperatingPoint, Reason>>,
     /// What to take with care, with its points.
     pub(crate) cautions: RowCautions,
 }
 
 impl Prediction {
     /// The points of `record` by `run`.
-    pub(crate) fn of(record: &Record, run: &Run) -> Self {
-        let mut prediction = Self::default();
+    pub(crate) fn of(record: &Record, run: &'static Run) -> Self {
+        let mut prediction = Self { run, points: Vec::new(), cautions: RowCautions::default() };
         for row in 0..record.points().slip.len() {
-            match point(record, run, row) {
-                Ok((point, cautions)) => {
-                    let forces = &point.forces;
-                    let lateral = forces.side.map_or(f64::NAN, |side| side.lateral);
-                    prediction.push([forces.longitudinal, point.sinkage, forces.torque, lateral]);
-                    prediction.cautions.add(row, cautions.into_iter());
-                }
-                Err(reason) => {
-                    prediction.push([f64::NAN; 4]);
-                    prediction.gaps.push((row, reason));
-                }
-            }
+            let found = point(record, run, row);
+            prediction.points.push(found.map(|(point, cautions)| {
+                prediction.cautions.add(row, cautions.into_iter());
+                point
+            }));
         }
         prediction
     }
 
-    fn push(&mut self, [longitudinal_force, sinkage, torque, lateral_force]: [f64; 4]) {
-        self.quantities.longitudinal_force.push(longitudinal_force);
-        self.quantities.sinkage.push(sinkage);
-        self.quantities.torque.push(torque);
-        self.quantities.lateral_force.push(lateral_force);
+    /// The points; none where there is no solution.
+    pub(crate) fn points(&self) -> impl Iterator<Item = Option<&OperatingPoint>> {
+        self.points.iter().map(|point| point.as_ref().ok())
+    }
+
+    /// Rows without a solution, and why.
+    pub(crate) fn gaps(&self) -> Vec<(usize, Reason)> {
+        let gaps = self.points.iter().enumerate();
+        gaps.filter_map(|(row, point)| Some((row, point.as_ref().err()?.clone()))).collect()
     }
 }
 
 /// The operating point of a row, or why there is none.
-fn point(record: &Record, run: &Run, row: usize) -> Result<(OperatingPoint, Vec<Caution>), String> {
-    let query = query(record, run, row)?;
-    let point = query.operation.at(query.motion.slip).map_err(|error| error.to_string())?;
+fn point(record: &Record, run: &Run, row: usize) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
+    let query = query(record, run, row).map_err(Reason::Request)?;
+    let point = query.operation.at(query.motion.slip).map_err(Reason::Model)?;
     let cautions = cautions(&query.operation, &Outcome::from(&point)).collect();
     Ok((point, cautions))
 }
@@ -70,7 +66,10 @@ fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesQuery, String> 
         body["slip_angle_rad"] = side.angle().into();
     }
     let field = read::<ForcesDto>(body.to_string().as_bytes()).map_err(|error| error.to_string())?;
-    checked(&field).map_err(|faults| format!("{faults:?}"))
+    checked(&field).map_err(|faults| {
+        let told: Vec<String> = faults.iter().map(|fault| format!("{} {}", fault.pointer, fault.detail)).collect();
+        told.join("; ")
+    })
 }
 
 /// The root of the mean square of the errors that are numbers; none where there is none.

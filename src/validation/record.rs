@@ -54,23 +54,10 @@ enum Measured {
 pub(crate) struct Points {
     normal_load_n: Load,
     pub(crate) slip: Vec<f64>,
-    longitudinal_force_n: Option<Vec<Option<f64>>>,
-    sinkage_m: Option<Vec<Option<f64>>>,
-    torque_n_m: Option<Vec<Option<f64>>>,
-    lateral_force_n: Option<Vec<Option<f64>>>,
-}
-
-/// What is compared, point by point.
-#[derive(Debug, Default)]
-pub(crate) struct Quantities {
-    /// Drawbar pull F_x (N).
-    pub(crate) longitudinal_force: Vec<f64>,
-    /// Sinkage z (m).
-    pub(crate) sinkage: Vec<f64>,
-    /// Torque T (N·m).
-    pub(crate) torque: Vec<f64>,
-    /// Lateral force F_y (N), positive against the sideways motion.
-    pub(crate) lateral_force: Vec<f64>,
+    pub(super) longitudinal_force_n: Option<Vec<Option<f64>>>,
+    pub(super) sinkage_m: Option<Vec<Option<f64>>>,
+    pub(super) torque_n_m: Option<Vec<Option<f64>>>,
+    pub(super) lateral_force_n: Option<Vec<Option<f64>>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -130,23 +117,6 @@ impl Points {
         match &self.normal_load_n {
             Load::Constant(load) => vec![*load; self.slip.len()],
             Load::Measured(loads) => loads.clone(),
-        }
-    }
-
-    /// What was measured at each point, NaN where it was not.
-    pub(crate) fn measured(&self) -> Quantities {
-        Quantities {
-            longitudinal_force: self.column(self.longitudinal_force_n.as_ref()),
-            sinkage: self.column(self.sinkage_m.as_ref()),
-            torque: self.column(self.torque_n_m.as_ref()),
-            lateral_force: self.column(self.lateral_force_n.as_ref()),
-        }
-    }
-
-    fn column(&self, values: Option<&Vec<Option<f64>>>) -> Vec<f64> {
-        match values {
-            Some(values) => values.iter().map(|value| value.unwrap_or(f64::NAN)).collect(),
-            None => vec![f64::NAN; self.slip.len()],
         }
     }
 }

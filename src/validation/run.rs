@@ -45,6 +45,17 @@ pub(super) const SIDEWAYS: [Run; 4] = [
     sideways("quadrature_coupled_mobilised", "coupled", "mobilised"),
 ];
 
+/// Every run there is, each once.
+pub(crate) fn all_runs() -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for run in STRAIGHT.into_iter().chain(BRAKING).chain(SIDEWAYS) {
+        if !runs.iter().any(|known| known.series == run.series) {
+            runs.push(run);
+        }
+    }
+    runs
+}
+
 impl Run {
     /// The fields of a request that choose it.
     pub(super) fn fields(&self) -> Value {

@@ -110,7 +110,7 @@ fn a_slip_of_the_units_is_called_implausible() {
         stresses.iter_mut().for_each(|stress| *stress = json!(1e-3 * stress.as_f64().expect("a number")));
     }
     let warnings = codes(&post("/v1/identify/shear", &body).ok());
-    assert!(warnings.contains("implausible_estimate") && warnings.contains("friction_angle_rad is"), "{warnings}");
+    assert!(warnings.contains("implausible_estimate") && warnings.contains("`friction_angle_rad` is"), "{warnings}");
 }
 
 #[test]

@@ -188,7 +188,10 @@ fn a_column_in_another_unit_is_said_to_be_missed() {
     }
     let reply = post("/v1/identify", &body).ok();
     assert!(codes(&reply).contains(&"column_missed".to_owned()), "{reply}");
-    assert!(reply["warnings"].to_string().contains("torque_n_m is off by"), "{}", reply["warnings"]);
+    let warnings = reply["warnings"].as_array().expect("warnings");
+    let missed = warnings.iter().find(|warning| warning["code"] == "column_missed").expect("a warning");
+    assert_eq!((&missed["quantity"], &missed["unit"]), (&json!("torque_n_m"), &json!("N.m")));
+    assert_eq!(missed["value"], reply["rmse"]["torque_n_m"]);
 }
 
 #[test]

@@ -17,6 +17,7 @@ mod log;
 mod page;
 mod presets;
 mod problems;
+mod quantities;
 mod query;
 mod readme;
 mod resistances;

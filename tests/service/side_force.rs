@@ -141,7 +141,8 @@ fn only_the_rows_of_a_sweep_that_lack_the_motion_are_warned_of() {
     let sweep = post("/v1/slip-sweep", &sand(json!({"slip_angle_rad": 0.3, "slip": [0.0, 0.1, 0.999]}))).ok();
     let warnings = sweep["warnings"].as_array().expect("warnings");
     let warning = warnings.iter().find(|warning| warning["code"] == "bulldozing_not_mobilised").expect("a warning");
-    assert!(warning["detail"].as_str().expect("a detail").starts_with("at indices 2;"), "{warning}");
+    assert_eq!((&warning["rows"], &warning["count"]), (&json!([[2, 2]]), &json!(1)), "{warning}");
+    assert!(warning["detail"].as_str().expect("a detail").starts_with("At row 2: "), "{warning}");
 }
 
 #[test]

@@ -67,7 +67,11 @@ fn points_without_a_solution_are_null_and_named() {
     let warning = &reply["warnings"][0];
     assert_eq!(warning["code"], "no_solution");
     let detail = warning["detail"].as_str().expect("a detail");
-    assert!(detail.contains("indices 5–10") && detail.contains("/contact"), "{detail}");
+    assert!(detail.starts_with("At rows 5 to 10: no solution") && detail.contains("/contact"), "{detail}");
+    assert_eq!((&warning["rows"], &warning["count"]), (&json!([[5, 10]]), &json!(6)));
+    // θm = θ1 at s = 0.5: the value has reached the upper end.
+    assert_eq!((&warning["pointer"], &warning["unit"]), (&json!("/contact"), &json!("rad")));
+    assert_eq!(warning["value"], warning["range"]["upper"]);
     let answer = post_for_csv("/v1/slip-sweep", &body);
     assert_eq!(answer.header("x-warnings"), "no_solution, small_wheel");
     let columns = table(&answer.text);
@@ -91,7 +95,8 @@ fn a_braking_range_is_warned_of_once() {
     let answer = post("/v1/slip-sweep", &sweep(changes));
     assert_eq!(answer.warned_of(), ["small_wheel", "slip_sinkage_extrapolated"]);
     let warning = &answer.ok()["warnings"][1];
-    assert!(warning["detail"].as_str().expect("a detail").starts_with("at indices 0–1; furthest out: slip (–) is -0.5"));
+    assert!(warning["detail"].as_str().expect("a detail").starts_with("At rows 0 to 1: slip is -0.5 at worst, below 0 "));
+    assert_eq!((&warning["rows"], &warning["value"], &warning["unit"]), (&json!([[0, 1]]), &json!(-0.5), &json!("1")));
     assert_eq!((&warning["range"]["value"], &warning["range"]["lower"]), (&json!(-0.5), &json!(0.0)));
 }
 

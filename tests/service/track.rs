@@ -131,10 +131,10 @@ fn a_bad_sample_is_null_with_its_reason_and_counted() {
     let warnings = reply["warnings"].as_array().expect("warnings");
     let codes: Vec<&str> = warnings.iter().map(|warning| warning["code"].as_str().expect("a code")).collect();
     assert_eq!(codes[..3], ["missing_value", "opposite_rotation", "time_backwards"]);
-    assert_eq!(
-        warnings[0]["detail"],
-        "no result for 2 samples, the first at index 1: a value is missing: `forward_velocity_m_s` in 1, `time_s` in 1"
-    );
+    let told =
+        "At 2 rows, the first of them 1: no result, because a value is missing: `forward_velocity_m_s` in 1 and `time_s` in 1.";
+    assert!(warnings[0]["detail"].as_str().is_some_and(|detail| detail.starts_with(told)), "{}", warnings[0]);
+    assert_eq!((&warnings[0]["rows"], &warnings[0]["count"]), (&json!([[1, 1]]), &json!(2)));
 
     let slips = post("/v1/track", &columns(json!({"time_s": [0, 1, 2, 3], "slip": [0.5, 1.5, -2, 1]}))).ok();
     assert_eq!(slips["columns"]["status"], json!(["ok", "slip_out_of_range", "slip_out_of_range", "ok"]));

@@ -24,10 +24,10 @@ fn number(value: &Value) -> f64 {
 /// The largest load that a warning of the set names for a series at its first gap (N).
 fn largest_load(set: &Value, series: &str) -> f64 {
     let warnings = set["warnings"].as_array().expect("warnings").iter();
-    let mut details = warnings.filter(|w| w["code"] == "no_solution").filter_map(|w| w["detail"].as_str());
-    let detail = details.find(|detail| detail.split([':', ',', ' ']).any(|word| word == series)).expect("a gap");
-    let rest = detail.split("the largest load it carries is ").nth(1).expect("a load");
-    rest.split(' ').next().and_then(|word| word.parse().ok()).expect("a number")
+    let of_series = |w: &&Value| w["series"].as_array().is_none_or(|names| names.iter().any(|name| name == series));
+    let gap = warnings.filter(|w| w["code"] == "no_solution").find(of_series).expect("a gap");
+    assert_eq!((&gap["quantity"], &gap["unit"]), (&Value::from("load"), &Value::from("N")), "{gap}");
+    number(&gap["range"]["upper"])
 }
 
 /// A locked wheel of 58 mm and 50 mm, its shear forward ahead of θ0 = π/4 + φ/2 and backward behind it, all of the strength

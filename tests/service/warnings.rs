@@ -109,8 +109,14 @@ fn a_warning_names_value_range_and_source() {
     assert_eq!(warning["range"]["lower"], 0.5);
     assert!(warning["range"]["upper"].is_null());
     assert_eq!(warning["range"]["source"], "Meirion-Griffith & Spenko 2011");
+    assert_eq!(warning["range"]["quantity"], "diameter (m)");
+    for (name, value) in
+        [("quantity", json!("diameter")), ("value", json!(0.4)), ("unit", json!("m")), ("pointer", json!("/wheel/radius_m"))]
+    {
+        assert_eq!(warning[name], value, "{name}");
+    }
     let detail = warning["detail"].as_str().expect("a detail");
-    assert!(detail.starts_with("diameter (m) is 0.4, below 0.5 (Meirion-Griffith & Spenko 2011): Bekker's law"), "{detail}");
+    assert!(detail.starts_with("Diameter is 0.4 m, below 0.5 m (Meirion-Griffith & Spenko 2011). Bekker's law"), "{detail}");
 }
 
 #[test]
@@ -142,6 +148,20 @@ fn every_code_is_listed_with_its_range_and_source() {
     ] {
         assert!(of(code)["meaning"].is_string());
     }
+}
+
+/// Whoever reads the list learns what is meant, and of the model's own warnings what to do.
+#[test]
+fn every_warning_is_explained_in_sentences() {
+    let model = get("/v1/model").ok();
+    let listed = model["warnings"].as_array().expect("warnings");
+    let is_told = |text: &Value| text.as_str().is_some_and(|text| text.ends_with('.') && !text.starts_with(char::is_lowercase));
+    for warning in listed {
+        assert!(is_told(&warning["meaning"]), "{warning}");
+        assert!(warning["advice"].is_null() || is_told(&warning["advice"]), "{warning}");
+        assert!(warning["quantity"].is_null() || warning["advice"].is_string(), "{warning}");
+    }
+    assert!(listed.len() > 50, "{} warnings", listed.len());
 }
 
 #[test]

@@ -16,6 +16,9 @@
 //!
 //! A soil may lack a law: what needs it says so by [`Error::MissingLaw`].
 
+/// Version of the model.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 mod braking;
 mod caution;
 mod contact;
@@ -77,7 +80,7 @@ pub use slip_sinkage::*;
 pub use soil::{Soil, SoilParams};
 pub use sources::{Citation, LETTER, SOURCES, Source};
 pub use stress::{StressField, Stresses};
-pub use sweep::{Gap, SideColumns, SlipSweep};
+pub use sweep::{SlipSweep, SweepRow};
 pub use towed::Towed;
 pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use wheel::{Wheel, WheelParams};

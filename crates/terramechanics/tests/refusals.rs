@@ -192,19 +192,12 @@ fn a_sweep_names_its_gaps_and_fills_the_rest() {
     let operation = Operation { system, model: ForceModel::at_rim(Method::Quadrature), sinkage: Sinkage::CarryingLoad(50.0) };
     let slips: Vec<Slip> = [-0.2, 0.0, 0.2, 0.4, 0.5, 0.9].map(slip).to_vec();
     let sweep = SlipSweep::of(&operation, &slips);
-    assert_eq!(sweep.gaps.iter().map(|gap| gap.row).collect::<Vec<_>>(), [4, 5]);
-    assert!(sweep.gaps.iter().all(|gap| matches!(gap.error, Error::PeakOutsideContact { .. })));
-    for (row, &slip) in slips.iter().enumerate() {
-        assert_eq!(sweep.slip[row], slip.ratio());
-        match operation.at(slip) {
-            Ok(point) => assert_eq!(
-                (sweep.sinkage[row], sweep.longitudinal[row], sweep.torque[row]),
-                (point.sinkage, point.forces.longitudinal, point.forces.torque)
-            ),
-            Err(_) => assert!(sweep.sinkage[row].is_nan() && sweep.torque[row].is_nan()),
-        }
+    assert_eq!(sweep.gaps().map(|(row, ..)| row).collect::<Vec<_>>(), [4, 5]);
+    assert!(sweep.gaps().all(|(_, _, error)| matches!(error, Error::PeakOutsideContact { .. })));
+    assert_eq!(sweep.points().map(|(row, _)| row).collect::<Vec<_>>(), [0, 1, 2, 3]);
+    for (row, &slip) in sweep.rows.iter().zip(&slips) {
+        assert_eq!((row.slip, row.point), (slip, operation.at(slip)));
     }
-    assert!(sweep.tractive_efficiency[0].is_nan() && sweep.drawbar_coefficient[0].is_finite(), "braking has no efficiency");
 }
 
 #[test]

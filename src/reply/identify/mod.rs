@@ -1,27 +1,22 @@
 //! The answer of `/v1/identify`.
 
 mod columns;
-mod linear;
-mod plausible;
-pub(super) mod words;
+mod words;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::time::{Duration, Instant};
 
 use serde::Serialize;
-use terramechanics_identification::{Bound, Estimate, Fit, FitOptions, fit_while};
+use terramechanics_identification::Estimate;
 use utoipa::ToSchema;
 
-use self::columns::IdentifyColumns;
-pub(super) use self::plausible::implausible;
+use self::columns::{IdentifyColumns, columns};
+use super::Reply;
 use super::forces::method_name;
-use super::soil::{ContactBody, SoilBody};
-use super::warning::system_warnings;
-use super::{Reply, Warning};
-use crate::compute::Pace;
-use crate::request::{FitQuery, IdentifyQuery, column_name, fit_fault, name_of};
-use crate::wire::FieldFault;
+use super::soil::{self, Spelled};
+use crate::found::{FoundFit, FoundLine, FoundParameters};
+use crate::request::{ContactDto, SoilDto, column_name, name_of};
+use crate::warning::Warning;
 
 /// What measurements tell of the parameters, and what they do not.
 #[derive(Debug, Serialize, ToSchema)]
@@ -57,9 +52,11 @@ pub(crate) struct IdentifyReply {
     rmse: BTreeMap<&'static str, f64>,
     columns: IdentifyColumns,
     /// The soil with the estimates, ready for a request.
-    soil: SoilBody,
+    #[schema(value_type = SoilDto)]
+    soil: Spelled,
     /// The contact, ready for a request.
-    contact: ContactBody,
+    #[schema(value_type = ContactDto)]
+    contact: Spelled,
     warnings: Vec<Warning>,
 }
 
@@ -85,47 +82,69 @@ pub(super) struct EstimateReply {
     identifiability: String,
 }
 
-/// Share of the time for a computation that a search may take; the rest is for its report and for writing it.
-const SEARCHING: f64 = 0.5;
-
-impl IdentifyReply {
-    /// The answer, with a search that ends within its share of `patience`.
-    ///
-    /// # Errors
-    /// What of the request the model or the data do not allow.
-    pub(crate) fn of(query: &IdentifyQuery, patience: Duration, pace: &Pace) -> Result<Self, Vec<FieldFault>> {
-        match query {
-            IdentifyQuery::Fit(query) => Self::of_fit(query, Instant::now() + patience.mul_f64(SEARCHING), pace),
-            IdentifyQuery::Linear(query) => Self::of_line(query, pace).map_err(|fault| vec![fault]),
+impl From<FoundParameters> for IdentifyReply {
+    fn from(found: FoundParameters) -> Self {
+        match found {
+            FoundParameters::Fit(found) => (*found).into(),
+            FoundParameters::Line(found) => (*found).into(),
         }
     }
+}
 
-    fn of_fit(query: &FitQuery, until: Instant, pace: &Pace) -> Result<Self, Vec<FieldFault>> {
-        let FitQuery { setup, observations, sought, options, .. } = query;
-        let options = FitOptions { until: Some(until), ..*options };
-        let found = fit_while(setup, observations, sought, &options, &|| pace.goes_on())
-            .map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
+impl From<FoundFit> for IdentifyReply {
+    fn from(FoundFit { setup, observations, fit, warnings }: FoundFit) -> Self {
         let direction = |direction: &Vec<_>| direction.iter().map(|&(unknown, share)| (name_of(unknown), share)).collect();
-        Ok(Self {
+        Self {
             estimator: "nonlinear",
             method: method_name(&setup.model.method),
-            converged: found.converged(),
-            identifiable: found.is_identifiable(),
-            stop_reason: words::stop_reason(found.stop),
-            iterations: found.iterations,
-            evaluations: found.evaluations,
-            estimates: found.estimates.iter().map(EstimateReply::from).collect(),
-            correlation: found.correlation.clone(),
-            condition_number: Some(found.condition_number).filter(|number| number.is_finite()),
-            dead_directions: found.dead_directions.iter().map(direction).collect(),
-            degrees_of_freedom: found.degrees_of_freedom,
-            reduced_chi_square: found.reduced_chi_square.filter(|value| value.is_finite()),
-            rmse: found.columns.iter().map(|column| (column_name(column.quantity), column.rmse)).collect(),
-            columns: IdentifyColumns::of_fit(observations, &found),
-            soil: SoilBody::from(&found.setup.soil),
-            contact: ContactBody::from(&found.setup.contact),
-            warnings: warnings(query, &found),
-        })
+            converged: fit.converged(),
+            identifiable: fit.is_identifiable(),
+            stop_reason: words::stop_reason(fit.stop),
+            iterations: fit.iterations,
+            evaluations: fit.evaluations,
+            estimates: fit.estimates.iter().map(EstimateReply::from).collect(),
+            correlation: fit.correlation.clone(),
+            condition_number: Some(fit.condition_number).filter(|number| number.is_finite()),
+            dead_directions: fit.dead_directions.iter().map(direction).collect(),
+            degrees_of_freedom: fit.degrees_of_freedom,
+            reduced_chi_square: fit.reduced_chi_square.filter(|value| value.is_finite()),
+            rmse: fit.columns.iter().map(|column| (column_name(column.quantity), column.rmse)).collect(),
+            columns: columns(&observations, fit.sinkage.clone(), &fit.columns),
+            soil: soil::soil(&fit.setup.soil),
+            contact: soil::contact(&fit.setup.contact),
+            warnings,
+        }
+    }
+}
+
+impl From<FoundLine> for IdentifyReply {
+    fn from(found: FoundLine) -> Self {
+        let FoundLine { setup, observations, line, bias, warnings } = found;
+        let biased = |(i, estimate): (usize, &Estimate)| EstimateReply {
+            model_bias: bias.map(|bias| bias[i]),
+            ..EstimateReply::from(estimate)
+        };
+        let sinkage = observations.sinkage.as_ref().map_or_else(Vec::new, |column| column.values.clone());
+        Self {
+            estimator: "linear",
+            method: "linearised",
+            converged: line.converged,
+            identifiable: line.is_identifiable(),
+            stop_reason: if line.converged { "linear" } else { "ill_conditioned" },
+            iterations: 1,
+            evaluations: line.samples() as u64,
+            estimates: line.estimates.iter().enumerate().map(biased).collect(),
+            correlation: vec![vec![Some(1.0), line.correlation], vec![line.correlation, Some(1.0)]],
+            condition_number: Some(line.line.condition_number).filter(|number| number.is_finite()),
+            dead_directions: Vec::new(),
+            degrees_of_freedom: line.line.freedom,
+            reduced_chi_square: None,
+            rmse: BTreeMap::from([("torque_n_m", line.torque.rmse)]),
+            columns: columns(&observations, sinkage, std::slice::from_ref(&line.torque)),
+            soil: soil::soil(&line.setup.soil),
+            contact: soil::contact(&setup.contact),
+            warnings,
+        }
     }
 }
 
@@ -144,64 +163,9 @@ impl From<&Estimate> for EstimateReply {
     }
 }
 
-/// Sums of squares over the degrees of freedom beyond which the residuals are more than twice, or less than half, of what the standard deviations
-/// allow.
-const TOO_LARGE: f64 = 4.0;
-const TOO_SMALL: f64 = 0.25;
-
-/// What there is to say of a fit as a whole.
-fn warnings(query: &FitQuery, found: &Fit) -> Vec<Warning> {
-    let mut warnings: Vec<Warning> = system_warnings(&found.setup.wheel, &found.setup.soil).collect();
-    let mut warn = |code: &'static str, detail: String| warnings.push(Warning::new(code, detail));
-    let names = |open: bool| -> Vec<&'static str> {
-        let estimates = found.estimates.iter().filter(|estimate| estimate.identifiability.is_determined() != open);
-        estimates.map(|estimate| name_of(estimate.unknown)).collect()
-    };
-    if !found.converged() {
-        warn("not_converged", words::not_converged(found.stop));
-    }
-    if !found.is_identifiable() {
-        warn(
-            "not_identifiable",
-            format!("the data do not determine {}; see each one's `identifiability`", names(true).join(", ")),
-        );
-    }
-    for (gap, together) in &found.gaps {
-        warn(words::gap_code(*gap), words::gap(*gap, together));
-    }
-    for estimate in &found.estimates {
-        if let Some(bound) = estimate.at_bound {
-            let end = if bound == Bound::Lower { "lower" } else { "upper" };
-            warn("at_bound", format!("{} lies at its {end} bound {}", name_of(estimate.unknown), words::number(estimate.value)));
-        }
-    }
-    for column in found.columns.iter().filter(|column| column.is_missed()) {
-        warn("column_missed", words::column_missed(column));
-    }
-    if found.reduced_chi_square.is_some_and(|ratio| ratio < TOO_SMALL) {
-        let detail = "the residuals are less than half of what the standard deviations allow: these look too large; the errors \
-                      follow from the residuals, only the ratios of the standard deviations count";
-        warn("deviations_too_large", detail.to_owned());
-    }
-    if let Some(ratio) = found.reduced_chi_square.filter(|ratio| *ratio > TOO_LARGE) {
-        let detail =
-            "the residuals are {} times what the standard deviations allow: the model does not describe the data that well, and \
-                      the errors were widened by that factor"
-                .replace("{}", &words::number(ratio.sqrt()));
-        warn("model_misfit", detail);
-    }
-    warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base)));
-    let mut warn = |code: &'static str, detail: String| warnings.push(Warning::new(code, detail));
-    if query.law_replaced {
-        let detail = "k_s is fitted: the direct law stands in place of the preset's, with its exponents".to_owned();
-        warn("law_replaced", detail);
-    }
-    warnings
-}
-
 impl Reply for IdentifyReply {
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.named()
+        self.columns.as_table()
     }
 
     fn warnings(&self) -> &[Warning] {

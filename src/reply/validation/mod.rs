@@ -3,17 +3,17 @@
 mod columns;
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use self::columns::{ForceColumns, PredictedColumns, ValidationColumns};
-use super::warning::{rows_in_words, shared_warnings};
-use super::{Column, Reply, RowCautions, Warning};
+use self::columns::{ForceColumns, ValidationColumns};
+use super::Reply;
+use crate::found::FoundSet;
 use crate::request::{ContactDto, SoilDto, WheelDto};
-use crate::validation::{MeasurementGrade, Prediction, Record, Run, root_mean_square};
+use crate::validation::{MeasurementGrade, Prediction, Record, root_mean_square};
+use crate::warning::Warning;
 
 /// A set of published measurements, with what each method gives for it.
 #[derive(Debug, Serialize, ToSchema)]
@@ -91,11 +91,13 @@ struct ValidationResult {
 }
 
 impl ValidationResult {
-    fn of(record: &Record, run: &Run, measured: &ForceColumns, predicted: &ForceColumns, unsolved: usize) -> Self {
-        let error = |Column(predicted): &Column, Column(measured): &Column| {
+    fn of(record: &Record, prediction: &Prediction, measured: &ForceColumns, predicted: &ForceColumns) -> Self {
+        let error = |name: &str| {
+            let (predicted, measured) = (predicted.get(name)?, measured.get(name)?);
             root_mean_square(predicted.iter().zip(measured).map(|(predicted, measured)| predicted - measured))
         };
-        let across = predicted.lateral_coefficient.as_ref().zip(measured.lateral_coefficient.as_ref());
+        let run = prediction.run;
+        let unsolved = prediction.points().filter(Option::is_none).count();
         Self {
             series: run.series,
             method: run.method,
@@ -103,34 +105,22 @@ impl ValidationResult {
             shear_coupling: run.side.map(|laws| laws.shear_coupling),
             bulldozing: run.side.map(|laws| laws.bulldozing),
             fitted: record.fitted_to.is_some(),
-            drawbar_rmse_over_load: error(&predicted.drawbar_coefficient, &measured.drawbar_coefficient),
-            sinkage_rmse_m: error(&predicted.sinkage_m, &measured.sinkage_m),
-            torque_rmse_n_m: error(&predicted.torque_n_m, &measured.torque_n_m),
-            lateral_rmse_over_load: across.and_then(|(predicted, measured)| error(predicted, measured)),
+            drawbar_rmse_over_load: error("drawbar_coefficient"),
+            sinkage_rmse_m: error("sinkage_m"),
+            torque_rmse_n_m: error("torque_n_m"),
+            lateral_rmse_over_load: error("lateral_coefficient"),
             solved: record.points().slip.len() - unsolved,
             unsolved,
         }
     }
 }
 
-impl From<&'static Record> for ValidationSet {
-    fn from(record: &'static Record) -> Self {
-        let points = record.points();
-        let load = points.load();
-        let is_sideways = record.side_slip.is_some();
-        let measured = ForceColumns::of(points.measured(), &load, is_sideways);
-        let mut results = Vec::new();
-        let mut by_series = BTreeMap::new();
-        let mut gaps = Vec::new();
-        let mut cautions = Vec::new();
-        for run in record.runs() {
-            let prediction = Prediction::of(record, run);
-            let predicted = ForceColumns::of(prediction.quantities, &load, is_sideways);
-            results.push(ValidationResult::of(record, run, &measured, &predicted, prediction.gaps.len()));
-            by_series.insert(run.series, predicted);
-            gaps.push((run.series, prediction.gaps));
-            cautions.push((run.series, prediction.cautions));
-        }
+impl From<FoundSet> for ValidationSet {
+    fn from(FoundSet { record, predictions, warnings }: FoundSet) -> Self {
+        let columns = ValidationColumns::of(record, &predictions);
+        let predicted = predictions.iter().zip(columns.predicted.each());
+        let results =
+            predicted.map(|(prediction, (_, of_run))| ValidationResult::of(record, prediction, &columns.measured, of_run));
         Self {
             id: &record.id,
             title: &record.title,
@@ -142,33 +132,12 @@ impl From<&'static Record> for ValidationSet {
             contact: record.contact.as_ref(),
             slip_angle_rad: record.side_slip.map(|side| side.angle()),
             fitted_to: record.fitted_to.as_deref(),
-            points: load.len(),
-            results,
-            columns: ValidationColumns::of(record, measured, PredictedColumns::of(by_series)),
-            warnings: warnings(&gaps, cautions, load.len()),
+            points: record.points().slip.len(),
+            results: results.collect(),
+            columns,
+            warnings,
         }
     }
-}
-
-/// Rows without a solution, each with the reason.
-type Gaps = Vec<(usize, String)>;
-
-/// What is to be said of the predictions, each thing once.
-fn warnings(gaps: &[(&'static str, Gaps)], cautions: Vec<(&'static str, RowCautions)>, count: usize) -> Vec<Warning> {
-    let mut by_gaps: Vec<(&Gaps, Vec<&str>)> = Vec::new();
-    for (series, gaps) in gaps.iter().filter(|(_, gaps)| !gaps.is_empty()) {
-        match by_gaps.iter_mut().find(|(known, _)| *known == gaps) {
-            Some((_, names)) => names.push(series),
-            None => by_gaps.push((gaps, vec![series])),
-        }
-    }
-    let of_gaps = by_gaps.into_iter().map(|(gaps, names)| {
-        let rows: Vec<usize> = gaps.iter().map(|(row, _)| *row).collect();
-        let reason = gaps.first().map_or("", |(_, reason)| reason);
-        let detail = format!("{}: no solution at indices {}; the first: {reason}", names.join(", "), rows_in_words(&rows));
-        Warning::new("no_solution", detail)
-    });
-    of_gaps.chain(shared_warnings(cautions, count)).collect()
 }
 
 impl Reply for ValidationSet {

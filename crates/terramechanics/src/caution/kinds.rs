@@ -1,6 +1,10 @@
-//! What is watched: each with the range in which its model was tested, and who found the range.
+//! What is watched: each kind with the range in which its model was tested, who found the range, and what to do beyond it.
 
 use super::{CautionKind, TestedRange};
+use crate::pressure_sinkage::{Bekker, SinkageExponent};
+use crate::rolling::WheelOnSoil;
+use crate::soil::Soil;
+use crate::wheel::Wheel;
 
 /// Smallest diameter (m) for which Bekker's law holds without a correction (Meirion-Griffith & Spenko 2011).
 const SMALLEST_DIAMETER: f64 = 0.5;
@@ -11,8 +15,8 @@ const LARGEST_SINKAGE_RATIO: f64 = 30.0 / 90.0;
 /// Largest slip (–) of the single-wheel tests to which slip gains were fitted (Ding et al. 2010, 2011).
 const LARGEST_FITTED_SLIP: f64 = 0.6;
 
-/// Width over the width −k_c/k_φ at which the sinkage modulus vanishes, below which the modulus hangs on the extrapolation
-/// of a negative k_c: there it is less than half of k_φ.
+/// Width over the width −k_c/k_φ at which the sinkage modulus vanishes. Below this ratio a negative k_c takes away more than
+/// half of k_φ, and the modulus is an extrapolation.
 const SMALLEST_WIDTH_RATIO: f64 = 2.0;
 
 /// Sinkage over diameter (–) up to which Bekker's estimates were found good (Wong, Theory of Ground Vehicles, ch. 2).
@@ -30,202 +34,269 @@ const LARGEST_LOAD_RESIDUAL: f64 = 1e-9;
 /// Share of the pressure on the side wall below which all of it is more than twice what is there.
 const SMALLEST_MOBILISED_SHARE: f64 = 0.5;
 
-pub(crate) static SMALL_WHEEL: CautionKind = CautionKind {
-    code: "small_wheel",
-    meaning: "Bekker's law was made for large plates and wheels; under small wheels it errs, the law `diameter` corrects for it",
-    range: Some(TestedRange {
-        quantity: "diameter (m)",
-        lower: Some(SMALLEST_DIAMETER),
-        upper: None,
-        source: "Meirion-Griffith & Spenko 2011",
-    }),
-};
+/// Declares the kinds and lists them, so that none is left out of the list.
+macro_rules! kinds {
+    ($($name:ident = $kind:expr;)+) => {
+        $(pub(crate) static $name: CautionKind = $kind;)+
 
-pub(crate) static DEEP_SINKAGE: CautionKind = CautionKind {
-    code: "deep_sinkage",
-    meaning: "the wheel sinks deeper than in the tests named; deeper ones are known of one wheel alone (Pavlov & Johnson 2024, up to \
-              0.87), whose soil was tuned to them; the soil that piles up in front is not in the model",
-    range: Some(TestedRange {
-        quantity: "sinkage over radius (–)",
-        lower: None,
-        upper: Some(LARGEST_SINKAGE_RATIO),
-        source: "single-wheel tests of Yoshida et al. 2003 (30 mm of 90 mm) and Ding et al. 2011 (27 mm of 157 mm)",
-    }),
-};
+        /// Everything that is watched.
+        pub(super) const ALL: [&CautionKind; [$(stringify!($name)),+].len()] = [$(&$name),+];
+    };
+}
 
-pub(crate) static SLIP_BEYOND_FIT: CautionKind = CautionKind {
-    code: "slip_beyond_fit",
-    meaning: "the gain of the sinkage exponent with slip was fitted to tests up to this slip and extrapolates beyond",
-    range: Some(TestedRange {
-        quantity: "slip (–)",
-        lower: None,
-        upper: Some(LARGEST_FITTED_SLIP),
-        source: "Ding et al. 2010, 2011",
-    }),
-};
-
-pub(crate) static SLIP_BEYOND_OWN_FIT: CautionKind = CautionKind {
-    code: "slip_beyond_fit",
-    meaning: "the slip is beyond the tests to which the gain of this soil's sinkage exponent was fitted",
-    range: None,
-};
-
-pub(crate) static SLIP_BEYOND_LYASKO: CautionKind = CautionKind {
-    code: "slip_beyond_fit",
-    meaning: "no range is known here for Lyasko's slip–sinkage law; at this slip, the largest of the tests named, wheels had sunk to \
-              3 to 7 times the static sinkage, where the law gives 2.3 times",
-    range: Some(TestedRange {
-        quantity: "slip (–)",
-        lower: None,
-        upper: Some(LARGEST_FITTED_SLIP),
-        source: "single-wheel tests of Ding et al. 2010; Lyasko 2010 was not read for a range",
-    }),
-};
-
-pub(crate) static SLIP_BEYOND_LINEAR: CautionKind = CautionKind {
-    code: "slip_beyond_fit",
-    meaning: "no range was published with the linear slip–sinkage law, whose gain is the request's own; single-wheel tests of how the \
-              sinkage grows with slip go up to this slip",
-    range: Some(TestedRange {
-        quantity: "slip (–)",
-        lower: None,
-        upper: Some(LARGEST_FITTED_SLIP),
-        source: "single-wheel tests of Ding et al. 2010, 2011; none for the law of Lines 2021",
-    }),
-};
-
-pub(crate) static SLIP_BEYOND_COUPLED_TESTS: CautionKind = CautionKind {
-    code: "slip_beyond_fit",
-    meaning: "the coupled forms come from authors whose single-wheel tests had driving wheels up to this slip",
-    range: Some(TestedRange {
-        quantity: "slip (–)",
-        lower: Some(0.0),
-        upper: Some(LARGEST_FITTED_SLIP),
-        source: "single-wheel tests of Ding et al. 2011",
-    }),
-};
-
-pub(crate) static SLIP_GAIN_EXTRAPOLATED: CautionKind = CautionKind {
-    code: "slip_gain_extrapolated",
-    meaning: "the slip gain n1 of the sinkage exponent was fitted to driving wheels and is applied to a braking one, for which \
-              no n2 is given",
-    range: Some(TestedRange { quantity: "slip (–)", lower: Some(0.0), upper: None, source: "Ding et al. 2010, 2011" }),
-};
-
-pub(crate) static SLIP_SINKAGE_EXTRAPOLATED: CautionKind = CautionKind {
-    code: "slip_sinkage_extrapolated",
-    meaning: "the slip–sinkage law was fitted to driving wheels and is applied to a braking one",
-    range: Some(TestedRange { quantity: "slip (–)", lower: Some(0.0), upper: None, source: "Lyasko 2010" }),
-};
-
-pub(crate) static LINEAR_SLIP_SINKAGE_EXTRAPOLATED: CautionKind = CautionKind {
-    code: "slip_sinkage_extrapolated",
-    meaning: "the linear slip–sinkage law was written for driving wheels and is applied to a braking one",
-    range: Some(TestedRange { quantity: "slip (–)", lower: Some(0.0), upper: None, source: "Lines 2021" }),
-};
-
-pub(crate) static NEGATIVE_COHESIVE_MODULUS: CautionKind = CautionKind {
-    code: "negative_cohesive_modulus",
-    meaning: "k_c is negative, an artefact of its fit, and takes more than half of k_φ at this width; the modulus vanishes at 1",
-    range: Some(TestedRange {
-        quantity: "width over −k_c/k_φ (–)",
-        lower: Some(SMALLEST_WIDTH_RATIO),
-        upper: None,
-        source: "K_s = k_c/b + k_φ (Bekker 1969), which is 0 at b = −k_c/k_φ",
-    }),
-};
-
-pub(crate) static INTEGRATION_ERROR: CautionKind = CautionKind {
-    code: "integration_error",
-    meaning: "the integrals by quadrature may be off by more than they should",
-    range: Some(TestedRange {
-        quantity: "estimate of the error of the integrals over the scale of the forces (–)",
-        lower: None,
-        upper: Some(LARGEST_INTEGRATION_ERROR),
-        source: "the quadrature's own error estimate",
-    }),
-};
-
-pub(crate) static LOAD_RESIDUAL: CautionKind = CautionKind {
-    code: "load_residual",
-    meaning: "the normal force is a small difference of large parts, and balances the load no better than this",
-    range: Some(TestedRange {
-        quantity: "normal force minus load, over the load (–)",
-        lower: None,
-        upper: Some(LARGEST_LOAD_RESIDUAL),
-        source: "the load balance itself",
-    }),
-};
-
-pub(crate) static LUG_HEIGHT_ASSUMED: CautionKind = CautionKind {
-    code: "lug_height_assumed",
-    meaning: "the wheel has or may have lugs, but their height is not published; without a lug height it is computed as smooth",
-    range: None,
-};
-
-pub(crate) static LOW_GRAVITY: CautionKind = CautionKind {
-    code: "low_gravity",
-    meaning: "the laws of pressure and shear were tested in the Earth's gravity; how the sinkage changes in a lower one is not \
-              settled",
-    range: Some(TestedRange {
-        quantity: "gravity (m/s²)",
-        lower: Some(EARTH_GRAVITY),
-        upper: None,
-        source: "Kobayashi et al. 2010, Wong 2012",
-    }),
-};
-
-pub(crate) static NEGATIVE_NORMAL_STRESS: CautionKind = CautionKind {
-    code: "negative_normal_stress",
-    meaning: "load and torque leave a normal stress that pulls, which soil cannot do: they do not belong together at this slip and \
-              sinkage",
-    range: Some(TestedRange {
-        quantity: "normal stress at the peak (Pa)",
-        lower: Some(0.0),
-        upper: None,
-        source: "letter, Eq. 11, solved for the stresses",
-    }),
-};
-
-pub(crate) static SINKAGE_BEYOND_ESTIMATES: CautionKind = CautionKind {
-    code: "sinkage_beyond_estimates",
-    meaning: "the wheel sinks deeper than Bekker's estimates were found good for",
-    range: Some(TestedRange {
-        quantity: "sinkage over diameter (–)",
-        lower: None,
-        upper: Some(MODERATE_DEPTH),
-        source: "Bekker, as reported by Wong, Theory of Ground Vehicles, ch. 2",
-    }),
-};
-
-pub(crate) static SLIP_GAIN_UNUSED: CautionKind = CautionKind {
-    code: "slip_gain_unused",
-    meaning: "the sinkage exponent of this soil changes with slip; the estimates are those of its exponent at rest, n0",
-    range: None,
-};
-
-pub(crate) static PEAK_RULE_SET_ASIDE: CautionKind = CautionKind {
-    code: "peak_rule_set_aside",
-    meaning: "a braking wheel with two zones has its largest stress where they part; the contact's own rule for that angle is not \
-              used at negative slip",
-    range: None,
-};
-
-pub(crate) static BULLDOZING_LEFT_OUT: CautionKind = CautionKind {
-    code: "bulldozing_left_out",
-    meaning: "the soil has no unit weight, so the lateral force lacks the soil bulldozed by the side wall",
-    range: None,
-};
-
-pub(crate) static BULLDOZING_NOT_MOBILISED: CautionKind = CautionKind {
-    code: "bulldozing_not_mobilised",
-    meaning: "all of the pressure on the side wall is counted, as published, though the wheel moves too little sideways to \
-              mobilise half of it",
-    range: Some(TestedRange {
-        quantity: "mobilised share of the pressure on the side wall (–)",
-        lower: Some(SMALLEST_MOBILISED_SHARE),
-        upper: None,
-        source: "derived here, not published: the share that the shear law mobilises at the sideways displacement; the half is a \
-                 choice",
-    }),
-};
+kinds! {
+    SMALL_WHEEL = CautionKind {
+        code: "small_wheel",
+        meaning: "Bekker's law was made for large plates and wheels and loses accuracy under small ones.",
+        advice: "Use the law `diameter`, which corrects for the wheel size.",
+        parameter: Some(&Wheel::RADIUS),
+        range: Some(TestedRange {
+            quantity: "diameter",
+            unit: "m",
+            lower: Some(SMALLEST_DIAMETER),
+            upper: None,
+            source: "Meirion-Griffith & Spenko 2011",
+        }),
+    };
+    DEEP_SINKAGE = CautionKind {
+        code: "deep_sinkage",
+        meaning: "The wheel sinks deeper than in the tests named. Deeper tests are known of one wheel alone (Pavlov & Johnson \
+                  2024, up to 0.87), whose soil was tuned to them. The model leaves out the soil that piles up in front of \
+                  the wheel.",
+        advice: "Take the forces as a rough estimate.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "sinkage over radius",
+            unit: "1",
+            lower: None,
+            upper: Some(LARGEST_SINKAGE_RATIO),
+            source: "single-wheel tests of Yoshida et al. 2003 (30 mm of 90 mm) and Ding et al. 2011 (27 mm of 157 mm)",
+        }),
+    };
+    SLIP_BEYOND_FIT = CautionKind {
+        code: "slip_beyond_fit",
+        meaning: "The slip gain of the sinkage exponent was fitted to tests up to this slip and is extrapolated beyond it.",
+        advice: "Check the sinkage against a test at this slip.",
+        parameter: Some(&SinkageExponent::SLIP_GAIN),
+        range: Some(TestedRange {
+            quantity: "slip",
+            unit: "1",
+            lower: None,
+            upper: Some(LARGEST_FITTED_SLIP),
+            source: "Ding et al. 2010, 2011",
+        }),
+    };
+    SLIP_BEYOND_OWN_FIT = CautionKind {
+        code: "slip_beyond_fit",
+        meaning: "The slip is beyond the tests to which the slip gain of this soil was fitted.",
+        advice: "Check the sinkage against a test at this slip.",
+        parameter: Some(&SinkageExponent::SLIP_GAIN),
+        range: None,
+    };
+    SLIP_BEYOND_LYASKO = CautionKind {
+        code: "slip_beyond_fit",
+        meaning: "No range is known for Lyasko's slip–sinkage law. At this slip, the largest of the tests named, wheels had \
+                  sunk to 3 to 7 times the static sinkage, where the law gives 2.3 times.",
+        advice: "Expect a deeper wheel than is computed.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "slip",
+            unit: "1",
+            lower: None,
+            upper: Some(LARGEST_FITTED_SLIP),
+            source: "single-wheel tests of Ding et al. 2010; Lyasko 2010 was not read for a range",
+        }),
+    };
+    SLIP_BEYOND_LINEAR = CautionKind {
+        code: "slip_beyond_fit",
+        meaning: "The linear slip–sinkage law was published without a range, and its gain is the caller's own. Single-wheel \
+                  tests of sinkage over slip go up to this slip.",
+        advice: "Check the gain against a test at this slip.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "slip",
+            unit: "1",
+            lower: None,
+            upper: Some(LARGEST_FITTED_SLIP),
+            source: "single-wheel tests of Ding et al. 2010, 2011; none for the law of Lines 2021",
+        }),
+    };
+    SLIP_BEYOND_COUPLED_TESTS = CautionKind {
+        code: "slip_beyond_fit",
+        meaning: "The coupled forms come from authors whose single-wheel tests had driving wheels up to this slip.",
+        advice: "Take torque and pull as a rough estimate.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "slip",
+            unit: "1",
+            lower: Some(0.0),
+            upper: Some(LARGEST_FITTED_SLIP),
+            source: "single-wheel tests of Ding et al. 2011",
+        }),
+    };
+    SLIP_GAIN_EXTRAPOLATED = CautionKind {
+        code: "slip_gain_extrapolated",
+        meaning: "The slip gain n1 of the sinkage exponent was fitted to driving wheels and is applied to a braking one, \
+                  because no n2 is given.",
+        advice: "Give n2 if it is known for this soil.",
+        parameter: Some(&SinkageExponent::SKID_GAIN),
+        range: Some(TestedRange {
+            quantity: "slip",
+            unit: "1",
+            lower: Some(0.0),
+            upper: None,
+            source: "Ding et al. 2010, 2011",
+        }),
+    };
+    SLIP_SINKAGE_EXTRAPOLATED = CautionKind {
+        code: "slip_sinkage_extrapolated",
+        meaning: "The slip–sinkage law was fitted to driving wheels and is applied to a braking one.",
+        advice: "Give the sinkage itself or the load instead of a static sinkage.",
+        parameter: Some(&WheelOnSoil::STATIC_SINKAGE),
+        range: Some(TestedRange {
+            quantity: "slip",
+            unit: "1",
+            lower: Some(0.0),
+            upper: None,
+            source: "Lyasko 2010",
+        }),
+    };
+    LINEAR_SLIP_SINKAGE_EXTRAPOLATED = CautionKind {
+        code: "slip_sinkage_extrapolated",
+        meaning: "The linear slip–sinkage law was written for driving wheels and is applied to a braking one.",
+        advice: "Give the sinkage itself or the load instead of a static sinkage.",
+        parameter: Some(&WheelOnSoil::STATIC_SINKAGE),
+        range: Some(TestedRange {
+            quantity: "slip",
+            unit: "1",
+            lower: Some(0.0),
+            upper: None,
+            source: "Lines 2021",
+        }),
+    };
+    NEGATIVE_COHESIVE_MODULUS = CautionKind {
+        code: "negative_cohesive_modulus",
+        meaning: "A negative k_c is an artefact of its fit. At this width it takes away more than half of k_phi, and at a \
+                  ratio of 1 the modulus vanishes.",
+        advice: "Use a k_c that was fitted to plates of this width, or the law `direct`.",
+        parameter: Some(&Bekker::K_C),
+        range: Some(TestedRange {
+            quantity: "width over −k_c/k_φ",
+            unit: "1",
+            lower: Some(SMALLEST_WIDTH_RATIO),
+            upper: None,
+            source: "K_s = k_c/b + k_φ (Bekker 1969), which is 0 at b = −k_c/k_φ",
+        }),
+    };
+    LOW_GRAVITY = CautionKind {
+        code: "low_gravity",
+        meaning: "The laws of pressure and shear were tested in the Earth's gravity. How sinkage changes in a lower gravity \
+                  is an open question.",
+        advice: "Allow a margin on the sinkage.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "gravity",
+            unit: "m/s2",
+            lower: Some(EARTH_GRAVITY),
+            upper: None,
+            source: "Kobayashi et al. 2010, Wong 2012",
+        }),
+    };
+    LUG_HEIGHT_ASSUMED = CautionKind {
+        code: "lug_height_assumed",
+        meaning: "The wheel has or may have lugs whose height is not published. It is computed as smooth.",
+        advice: "Give the lug height if it is known.",
+        parameter: Some(&Wheel::LUG_HEIGHT),
+        range: None,
+    };
+    PEAK_RULE_SET_ASIDE = CautionKind {
+        code: "peak_rule_set_aside",
+        meaning: "A braking wheel with two zones has its largest stress where they meet, so the contact's own rule for that \
+                  angle is not used at negative slip.",
+        advice: "Choose one zone of braking if that rule is to hold.",
+        parameter: None,
+        range: None,
+    };
+    INTEGRATION_ERROR = CautionKind {
+        code: "integration_error",
+        meaning: "The integrals of the stresses are less accurate than usual.",
+        advice: "Trust no more digits than this error leaves.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "estimate of the error of the integrals over the scale of the forces",
+            unit: "1",
+            lower: None,
+            upper: Some(LARGEST_INTEGRATION_ERROR),
+            source: "the quadrature's own error estimate",
+        }),
+    };
+    LOAD_RESIDUAL = CautionKind {
+        code: "load_residual",
+        meaning: "The normal force is a small difference of large parts and balances the load no better than this.",
+        advice: "Trust no more digits of the forces than this residual leaves.",
+        parameter: Some(&WheelOnSoil::NORMAL_LOAD),
+        range: Some(TestedRange {
+            quantity: "normal force minus load, over the load",
+            unit: "1",
+            lower: None,
+            upper: Some(LARGEST_LOAD_RESIDUAL),
+            source: "the load balance itself",
+        }),
+    };
+    NEGATIVE_NORMAL_STRESS = CautionKind {
+        code: "negative_normal_stress",
+        meaning: "Load and torque lead to a normal stress that pulls on the wheel, which soil cannot do. They do not belong \
+                  together at this slip and sinkage.",
+        advice: "Check the measured torque, load, slip and sinkage.",
+        parameter: Some(&WheelOnSoil::TORQUE),
+        range: Some(TestedRange {
+            quantity: "normal stress at the peak",
+            unit: "Pa",
+            lower: Some(0.0),
+            upper: None,
+            source: "letter, Eq. 11, solved for the stresses",
+        }),
+    };
+    SINKAGE_BEYOND_ESTIMATES = CautionKind {
+        code: "sinkage_beyond_estimates",
+        meaning: "The wheel sinks deeper than the depth up to which Bekker's estimates were found good.",
+        advice: "Compute the forces by the quadrature instead.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "sinkage over diameter",
+            unit: "1",
+            lower: None,
+            upper: Some(MODERATE_DEPTH),
+            source: "Bekker, as reported by Wong, Theory of Ground Vehicles, ch. 2",
+        }),
+    };
+    SLIP_GAIN_UNUSED = CautionKind {
+        code: "slip_gain_unused",
+        meaning: "The sinkage exponent of this soil changes with slip, but the estimates use its value without slip, n0.",
+        advice: "Compute the forces by the quadrature, which follows the exponent.",
+        parameter: Some(&SinkageExponent::SLIP_GAIN),
+        range: None,
+    };
+    BULLDOZING_LEFT_OUT = CautionKind {
+        code: "bulldozing_left_out",
+        meaning: "The soil has no unit weight, so the lateral force lacks the soil that the side wall pushes aside.",
+        advice: "Give the unit weight of the soil.",
+        parameter: Some(&Soil::UNIT_WEIGHT),
+        range: None,
+    };
+    BULLDOZING_NOT_MOBILISED = CautionKind {
+        code: "bulldozing_not_mobilised",
+        meaning: "The full pressure on the side wall is counted, as published, although the wheel moves too little sideways \
+                  to mobilise half of it.",
+        advice: "Choose mobilised bulldozing, which counts the mobilised share alone.",
+        parameter: None,
+        range: Some(TestedRange {
+            quantity: "mobilised share of the pressure on the side wall",
+            unit: "1",
+            lower: Some(SMALLEST_MOBILISED_SHARE),
+            upper: None,
+            source: "derived here, not published: the share that the shear law mobilises at the sideways displacement; the \
+                     half is a choice",
+        }),
+    };
+}

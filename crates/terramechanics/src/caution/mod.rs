@@ -1,15 +1,14 @@
 //! Of what does a result warn?
 //!
-//! A caution changes no number: it names the quantity, its value, the range and who found the range. Each kind is listed in
-//! [`Caution::KINDS`], so that a service can tell its users beforehand what it watches.
+//! A caution changes no number. It is data: the quantity, its value, the range, who found the range, and what to do; whoever
+//! shows it makes the sentence. Each kind is listed in [`Caution::KINDS`], so that a service can tell its users beforehand what
+//! it watches.
 
 mod kinds;
 
 pub(crate) use kinds::*;
 
-use std::fmt;
-
-use crate::error::Digits;
+use crate::parameter::Parameter;
 
 /// A reason to take a result with care.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,8 +24,12 @@ pub struct Caution {
 pub struct CautionKind {
     /// A name for programs; kinds that say the same of different laws share it.
     pub code: &'static str,
-    /// What it means.
+    /// What it means, in sentences.
     pub meaning: &'static str,
+    /// What to do about it, in a sentence.
+    pub advice: &'static str,
+    /// The input that a user may want to change, where it is one.
+    pub parameter: Option<&'static Parameter>,
     /// The range that is left, where it is about one.
     pub range: Option<TestedRange>,
 }
@@ -34,8 +37,10 @@ pub struct CautionKind {
 /// The range of a quantity in which a model was tested.
 #[derive(Debug, PartialEq)]
 pub struct TestedRange {
-    /// The quantity, with its unit in parentheses.
+    /// The quantity.
     pub quantity: &'static str,
+    /// Its unit, by the Unified Code for Units of Measure; 1 for a ratio.
+    pub unit: &'static str,
     /// Lower end.
     pub lower: Option<f64>,
     /// Upper end.
@@ -46,29 +51,7 @@ pub struct TestedRange {
 
 impl Caution {
     /// Everything that is watched.
-    pub const KINDS: [&'static CautionKind; 21] = [
-        &SMALL_WHEEL,
-        &DEEP_SINKAGE,
-        &SLIP_BEYOND_FIT,
-        &SLIP_BEYOND_OWN_FIT,
-        &SLIP_BEYOND_LYASKO,
-        &SLIP_BEYOND_LINEAR,
-        &SLIP_BEYOND_COUPLED_TESTS,
-        &SLIP_GAIN_EXTRAPOLATED,
-        &SLIP_SINKAGE_EXTRAPOLATED,
-        &LINEAR_SLIP_SINKAGE_EXTRAPOLATED,
-        &NEGATIVE_COHESIVE_MODULUS,
-        &LOW_GRAVITY,
-        &LUG_HEIGHT_ASSUMED,
-        &PEAK_RULE_SET_ASIDE,
-        &INTEGRATION_ERROR,
-        &LOAD_RESIDUAL,
-        &NEGATIVE_NORMAL_STRESS,
-        &SINKAGE_BEYOND_ESTIMATES,
-        &SLIP_GAIN_UNUSED,
-        &BULLDOZING_LEFT_OUT,
-        &BULLDOZING_NOT_MOBILISED,
-    ];
+    pub const KINDS: &'static [&'static CautionKind] = &kinds::ALL;
 
     /// How far the value is outside the range, in the unit of the quantity.
     #[must_use]
@@ -90,21 +73,5 @@ impl CautionKind {
     /// The caution, if what it is about is so.
     pub(crate) fn when(&'static self, is_so: bool) -> Option<Caution> {
         is_so.then_some(Caution { kind: self, value: 0.0 })
-    }
-}
-
-impl fmt::Display for Caution {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let CautionKind { meaning, ref range, .. } = *self.kind;
-        if let Some(TestedRange { quantity, lower, upper, source }) = range {
-            write!(f, "{quantity} is {}", Digits(self.value))?;
-            match (lower, upper) {
-                (Some(lower), _) if self.value < *lower => write!(f, ", below {}", Digits(*lower))?,
-                (_, Some(upper)) => write!(f, ", above {}", Digits(*upper))?,
-                _ => {}
-            }
-            write!(f, " ({source}): ")?;
-        }
-        f.write_str(meaning)
     }
 }

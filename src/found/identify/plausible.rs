@@ -1,55 +1,52 @@
-//! Estimates that no soil of the catalogue comes near: mostly a slip of the units.
+//! Estimates that no soil of the catalogue comes near. Mostly a unit is wrong.
 
 use terramechanics_identification::{Estimate, Unknown};
 
-use super::words::number;
 use crate::catalogue::{self, SoilRecord};
-use crate::reply::Warning;
 use crate::request::name_of;
+use crate::warning::{Finding, Warning};
 
-/// Factor beyond the catalogue's values from which on an estimate is none of a soil.
+/// Factor beyond the catalogue's values from which on an estimate is implausible.
 const FACTOR: f64 = 10.0;
 
-/// Friction angle beyond which an estimate is none of a soil, for which a factor means nothing (rad).
+/// Friction angle beyond which an estimate is implausible (rad); a factor means nothing for an angle.
 const STEEPEST: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Exponents that differ by no more have moduli in units that can be compared.
 const LIKE_EXPONENT: f64 = 0.3;
 
 /// A warning for each estimate beyond what the soils of the catalogue have. Moduli are compared among soils of like `exponent`.
-pub(in crate::reply) fn implausible(estimates: &[Estimate], exponent: f64) -> Vec<Warning> {
-    let warning = |estimate: &Estimate| {
-        let name = name_of(estimate.unknown);
-        let value = estimate.value;
-        let detail = if estimate.unknown == Unknown::FrictionAngle {
-            let least = span(estimate.unknown, exponent).map_or(0.0, |(least, _)| least);
-            match value {
-                _ if value > STEEPEST => Some(format!("{name} is {}, beyond 60 degrees, which no soil has", number(value))),
-                _ if is_surely_below(estimate, least / FACTOR) => {
-                    Some(format!("{name} is {}, where the soils of the catalogue have {} at least", number(value), number(least)))
-                }
-                _ => None,
-            }
-        } else {
-            let (least, largest) = span(estimate.unknown, exponent)?;
-            let is_small = match estimate.unknown {
-                // Next to nothing is usual, so that it has to be told from nothing.
-                Unknown::Cohesion => is_surely_below(estimate, least / FACTOR),
-                Unknown::CohesiveModulus => false,
-                _ => value.abs() < least / FACTOR,
-            };
-            (is_small || value.abs() > FACTOR * largest).then(|| {
-                let (least, largest) = (number(least), number(largest));
-                let soils = if is_modulus(estimate.unknown) { "soils of like exponent" } else { "soils" };
-                format!("{name} is {}, where the {soils} of the catalogue have {least} to {largest} in size", number(value))
-            })
+pub(in crate::found) fn implausible(estimates: &[Estimate], exponent: f64) -> Vec<Warning> {
+    let finding = |estimate: &Estimate| {
+        let Estimate { unknown, value, .. } = *estimate;
+        let beyond = |least, largest| Finding::ImplausibleEstimate {
+            parameter: name_of(unknown),
+            value,
+            least,
+            largest,
+            alike: is_modulus(unknown),
         };
-        detail.map(|detail| Warning::new("implausible_estimate", format!("{detail}: check the units (SI)")))
+        if unknown == Unknown::FrictionAngle {
+            let least = span(unknown, exponent).map_or(0.0, |(least, _)| least);
+            return match value {
+                _ if value > STEEPEST => Some(beyond(None, None)),
+                _ if is_surely_below(estimate, least / FACTOR) => Some(beyond(Some(least), None)),
+                _ => None,
+            };
+        }
+        let (least, largest) = span(unknown, exponent)?;
+        let is_small = match unknown {
+            // Next to nothing is usual, so it has to be told from nothing.
+            Unknown::Cohesion => is_surely_below(estimate, least / FACTOR),
+            Unknown::CohesiveModulus => false,
+            _ => value.abs() < least / FACTOR,
+        };
+        (is_small || value.abs() > FACTOR * largest).then(|| beyond(Some(least), Some(largest)))
     };
-    estimates.iter().filter_map(warning).collect()
+    estimates.iter().filter_map(finding).map(Warning::from).collect()
 }
 
-/// Whether an estimate is small and yet not nothing, as its interval tells.
+/// Whether an estimate is below the limit and yet surely not 0, as its interval tells.
 fn is_surely_below(estimate: &Estimate, limit: f64) -> bool {
     estimate.value < limit && estimate.interval.is_some_and(|[lower, _]| lower > 0.0)
 }

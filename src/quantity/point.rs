@@ -1,0 +1,153 @@
+//! Quantities of an operating point: how `/v1/forces` and every sweep have them.
+
+use terramechanics::{Forces, Motion, OperatingPoint, SideForce, Slip, SlipSweep, Wheel};
+
+use super::columns::{Columns, Shape, Values};
+use super::schema::Field;
+use super::{About, TABLE};
+
+/// Where a quantity stands in the object of `/v1/forces`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    Motion,
+    Resultant,
+    Components,
+    Across,
+    Coefficients,
+    /// What the soil and the wheel are at this slip: of a single point alone, and no column.
+    Soil,
+}
+
+impl Part {
+    /// All of them, in the order of the object.
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Motion, Self::Resultant, Self::Components, Self::Across, Self::Coefficients, Self::Soil];
+
+    /// Whether tables have its quantities.
+    pub(crate) fn is_column(self) -> bool {
+        self != Self::Soil
+    }
+}
+
+/// How an operating point gives a quantity, and when.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum PointValue {
+    /// What was asked for; there without an answer as well.
+    Asked(fn(Slip) -> f64),
+    /// There at every point.
+    Found(fn(&Point<'_>) -> f64),
+    /// Undefined at some points.
+    OrNone(fn(&Point<'_>) -> Option<f64>),
+    /// There where a slip angle was sent.
+    Sideways(fn(&SideForce) -> f64),
+}
+
+/// How an operating point gives a quantity.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OfPoint {
+    pub(crate) part: Part,
+    pub(crate) value: PointValue,
+}
+
+impl OfPoint {
+    /// The operations whose answers have it.
+    pub(super) fn operations(self) -> &'static [&'static str] {
+        match (self.part, self.value) {
+            (Part::Soil, _) => &["/v1/forces"],
+            // A comparison is of wheels that go straight ahead.
+            (_, PointValue::Sideways(_)) => &["/v1/forces", "/v1/slip-sweep"],
+            _ => &["/v1/forces", "/v1/slip-sweep", "/v1/compare"],
+        }
+    }
+}
+
+/// An operating point of a wheel that moves.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Point<'a> {
+    pub(crate) wheel: &'a Wheel,
+    pub(crate) motion: Motion,
+    pub(crate) point: &'a OperatingPoint,
+    /// The forces in the heading of the wheel.
+    pub(crate) forces: Forces,
+}
+
+impl<'a> Point<'a> {
+    pub(crate) fn of(wheel: &'a Wheel, motion: Motion, point: &'a OperatingPoint) -> Self {
+        Self { wheel, motion, point, forces: point.forces.heading(motion.heading) }
+    }
+
+    /// None at rest, where it is 0/0.
+    pub(super) fn tractive_efficiency(&self) -> Option<f64> {
+        let Motion { slip, heading, at_rest } = self.motion;
+        if at_rest { None } else { self.forces.tractive_efficiency(self.wheel, slip, heading) }
+    }
+}
+
+impl PointValue {
+    /// The value at a point; NaN where there is none.
+    pub(crate) fn at(self, point: &Point<'_>) -> f64 {
+        match self {
+            Self::Asked(value) => value(point.motion.slip),
+            Self::Found(value) => value(point),
+            Self::OrNone(value) => value(point).unwrap_or(f64::NAN),
+            Self::Sideways(value) => point.forces.side.as_ref().map_or(f64::NAN, value),
+        }
+    }
+
+    /// The value at a slip without an answer.
+    fn without(self, slip: Slip) -> f64 {
+        match self {
+            Self::Asked(value) => value(slip),
+            Self::Found(_) | Self::OrNone(_) | Self::Sideways(_) => f64::NAN,
+        }
+    }
+
+    pub(crate) fn is_sideways(self) -> bool {
+        matches!(self, Self::Sideways(_))
+    }
+}
+
+/// The rows of the table that an operating point has.
+pub(crate) fn point_rows() -> impl Iterator<Item = (&'static About, OfPoint)> {
+    TABLE.iter().filter_map(|quantity| Some((&quantity.about, quantity.point?)))
+}
+
+/// The columns of a sweep.
+fn columns() -> impl Iterator<Item = (&'static About, PointValue)> {
+    point_rows().filter(|(_, of)| of.part.is_column()).map(|(about, of)| (about, of.value))
+}
+
+/// Columns of operating points.
+#[derive(Debug, Clone)]
+pub(crate) struct OfPoints;
+
+pub(crate) type PointColumns = Columns<OfPoints>;
+
+impl Shape for OfPoints {
+    const NAME: &'static str = "SweepColumns";
+    const DOC: &'static str = "Columns of one length; null where a point has no solution or a coefficient is undefined.";
+
+    fn fields() -> Vec<Field> {
+        let field = |(about, value): (&'static About, PointValue)| Field {
+            about,
+            nullable: !matches!(value, PointValue::Asked(_)),
+            present: value.is_sideways().then_some("where a slip angle was sent"),
+        };
+        columns().map(field).collect()
+    }
+}
+
+impl PointColumns {
+    /// The columns of a sweep of `wheel`, which moves forward; with those across it where a slip angle was sent.
+    pub(crate) fn of(sweep: &SlipSweep, wheel: &Wheel, is_sideways: bool) -> Self {
+        let wanted: Vec<_> = columns().filter(|(_, value)| is_sideways || !value.is_sideways()).collect();
+        let mut lists: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(sweep.rows.len())).collect();
+        for row in &sweep.rows {
+            let point = row.point.as_ref().ok().map(|point| Point::of(wheel, Motion::forward(row.slip), point));
+            for (list, (_, value)) in lists.iter_mut().zip(&wanted) {
+                list.push(point.as_ref().map_or_else(|| value.without(row.slip), |point| value.at(point)));
+            }
+        }
+        Self::new(wanted.into_iter().map(|(about, _)| about).zip(lists.into_iter().map(Values::Numbers)).collect())
+    }
+}

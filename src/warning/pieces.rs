@@ -1,0 +1,76 @@
+//! Parts of findings that several share.
+
+use terramechanics::Lacking;
+use terramechanics_identification::DesignGap;
+
+use super::Finding;
+use super::words::{number, quoted};
+
+/// Values of one column that a sample may not have.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct BeyondRange {
+    pub(crate) column: &'static str,
+    pub(crate) first: f64,
+    pub(crate) largest: f64,
+    pub(crate) count: u64,
+    /// The value has to be greater than this.
+    pub(crate) lower: Option<f64>,
+    pub(crate) upper: Option<f64>,
+}
+
+impl BeyondRange {
+    pub(super) fn in_words(&self) -> String {
+        let demand = match (self.lower, self.upper) {
+            (Some(lower), Some(upper)) => format!("greater than {} and at most the radius {} m", number(lower), number(upper)),
+            (Some(lower), None) => format!("finite and greater than {}", number(lower)),
+            _ => "finite".to_owned(),
+        };
+        let in_metres = if self.upper.is_some_and(|upper| self.largest > upper) { " Send metres." } else { "" };
+        let found = if self.count == 1 { "it".to_owned() } else { format!("the first of {}", self.count) };
+        format!("`{}` has to be {demand}; {found} is {}.{in_metres}", self.column, number(self.first))
+    }
+}
+
+/// What is the matter with data of one kind.
+pub(crate) fn gap_in_words(gap: DesignGap) -> &'static str {
+    match gap {
+        DesignGap::OneSlip => "all samples have one slip",
+        DesignGap::OneLoad => "all samples have one load, as measured or, where it was not, as the model has it",
+        DesignGap::FewPoints => "the samples repeat so few operating points that they give no more numbers than are sought",
+        DesignGap::NormalForceOnly => "only the normal force is fitted, to which the shear stress adds little",
+    }
+}
+
+/// What data of one kind leave open, and what to do.
+pub(super) fn design_gap(gap: DesignGap, parameters: &[&'static str]) -> String {
+    let advice = match gap {
+        DesignGap::OneSlip => "Measure at other slips as well.",
+        DesignGap::OneLoad => "Measure under other loads as well.",
+        DesignGap::FewPoints => "Measure at more operating points.",
+        DesignGap::NormalForceOnly => "Send a torque or a longitudinal force as well.",
+    };
+    let reason = gap_in_words(gap);
+    format!("{reason}, so only the assumed shape of the stresses determines {}. {advice}", quoted(parameters))
+}
+
+impl Finding {
+    /// Why the estimate of that name is null.
+    pub(crate) fn lacking(estimate: &'static str, lacking: &Lacking) -> Self {
+        match *lacking {
+            Lacking::ExponentBelowThree { exponent } => Self::NeedsExponentBelowThree { estimate, exponent },
+            Lacking::UnitWeight => Self::NeedsUnitWeight { estimate },
+            Lacking::DrivingSlip => Self::NeedsDrivingSlip { estimate },
+            Lacking::JanosiHanamoto => Self::NeedsJanosiHanamoto { estimate },
+        }
+    }
+
+    /// What data of one kind leave open of `parameters`.
+    pub(crate) fn gap(gap: DesignGap, parameters: Vec<&'static str>) -> Self {
+        match gap {
+            DesignGap::OneSlip => Self::SingleSlip { parameters },
+            DesignGap::OneLoad => Self::SingleLoad { parameters },
+            DesignGap::FewPoints => Self::FewPoints { parameters },
+            DesignGap::NormalForceOnly => Self::NormalForceOnly { parameters },
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Words that sentences are made of.
+
+use terramechanics::{Error, Fault, JanosiHanamoto, Parameter, Parametrised, PressureSinkage, Soil, WheelOnSoil, WheelParams};
+
+use super::Measure;
+
+/// A number in four digits, as people read it; the value itself is in the data.
+pub(crate) fn number(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let decimals = if size == 0.0 { 0 } else { (3.0 - size.log10().floor()).max(0.0) as usize };
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Names in a row: `a`, `a and b`, `a, b and c`.
+pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.as_ref().to_owned(),
+        [others @ .., last] => {
+            format!("{} and {}", others.iter().map(AsRef::as_ref).collect::<Vec<_>>().join(", "), last.as_ref())
+        }
+    }
+}
+
+/// Names of fields in a row, each in backticks.
+pub(super) fn quoted(names: &[&str]) -> String {
+    listed(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>())
+}
+
+/// So many of a thing.
+pub(crate) fn counted(count: u64, one: &str, several: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {several}") }
+}
+
+/// The text with a capital first letter, unless it begins with a symbol or the name of a field.
+pub(super) fn capitalised(text: &str) -> String {
+    let first = text.split(' ').next().unwrap_or_default();
+    let is_word = first == "a" || (first.len() > 1 && first.bytes().all(|byte| byte.is_ascii_lowercase()));
+    if !is_word {
+        return text.to_owned();
+    }
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The text as it goes on behind a colon.
+pub(super) fn behind_colon(text: &str) -> String {
+    let has_article = ["The ", "A "].iter().any(|article| text.starts_with(article));
+    if has_article { text[..1].to_lowercase() + &text[1..] } else { text.to_owned() }
+}
+
+/// Why there is no solution.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Reason {
+    /// The model has none.
+    Model(Error),
+    /// The request is none.
+    Request(String),
+}
+
+impl Reason {
+    /// The value that the model refuses, with the range that it would have to be in.
+    pub(super) fn measure(&self) -> Option<Measure> {
+        let Self::Model(error) = self else { return None };
+        let of = |quantity: &str, value: f64, unit: &'static str, lower: Option<f64>, upper: Option<f64>| {
+            Some(Measure::of(quantity, value).in_unit(unit).beyond(lower, upper, "the model at this point"))
+        };
+        match *error {
+            Error::SinkageOutsideWheel { sinkage, radius } => of("sinkage", sinkage, "m", Some(0.0), Some(radius)),
+            Error::PeakOutsideContact { entry, peak, exit } => {
+                of("angle of maximum stress", peak, "rad", Some(exit), Some(entry))
+            }
+            Error::ReversalOutsideContact { entry, reversal, exit } => {
+                of("angle at which the two zones meet", reversal, "rad", Some(exit), Some(entry))
+            }
+            Error::ModulusNotPositive { modulus } => of("sinkage modulus", modulus, "Pa/m^N", Some(0.0), None),
+            Error::ExponentNotPositive { exponent } => of("sinkage exponent", exponent, "1", Some(0.0), None),
+            Error::LoadBeyondCapacity { load, largest, .. } => of("load", load, "N", None, Some(largest)),
+            Error::LoadTooLight { load, least, .. } => of("load", load, "N", Some(least), None),
+            Error::Invalid(_)
+            | Error::OppositeRotation { .. }
+            | Error::ClosedFormOfTwoZones
+            | Error::SlipAngleOfTwoZones
+            | Error::NotFreeRolling { .. }
+            | Error::LoadNotBalanced { .. }
+            | Error::LoadNotCoupled { .. }
+            | Error::MissingLaw(_)
+            | Error::NotFinite => None,
+        }
+    }
+
+    pub(super) fn in_words(&self) -> String {
+        match self {
+            Self::Model(Error::Invalid(Fault { parameter, value })) => {
+                format!("`{}` {}, not {}", parameter.name, parameter.requirement, number(*value))
+            }
+            Self::Model(error) => error.to_string(),
+            Self::Request(told) => told.clone(),
+        }
+    }
+}
+
+/// The field of a request that stands for an input of the model, where it is the same in all requests.
+pub(super) fn pointer_of(parameter: &Parameter) -> Option<String> {
+    let name = parameter.name;
+    if *parameter == WheelOnSoil::STATIC_SINKAGE {
+        return Some(format!("/{name}"));
+    }
+    let is_of_law = || PressureSinkage::LAWS.iter().any(|law| law.parameters.contains(parameter));
+    let place = match parameter {
+        of_wheel if WheelParams::PARAMETERS.contains(of_wheel) => "/wheel",
+        of_soil if Soil::PARAMETERS.contains(of_soil) || *of_soil == JanosiHanamoto::MODULUS => "/soil",
+        _ if is_of_law() => "/soil/pressure_sinkage",
+        // The rest stands at different places, or is no field at all.
+        _ => return None,
+    };
+    Some(format!("{place}/{name}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use terramechanics::Slip;
+
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits_at_most() {
+        for (value, text) in
+            [(0.4, "0.4"), (1.0 / 3.0, "0.3333"), (-73_673.7, "-73674"), (0.0, "0"), (1e-9, "1.000e-9"), (2.0, "2")]
+        {
+            assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn an_input_is_named_in_words() {
+        let error = Slip::new(3.0).expect_err("no slip");
+        assert_eq!(Reason::Model(error).in_words(), "`slip` must be from -1 to 1, not 3");
+    }
+
+    #[test]
+    fn an_input_is_found_in_a_request() {
+        for (parameter, pointer) in [
+            (Soil::UNIT_WEIGHT, Some("/soil/unit_weight_n_m3")),
+            (JanosiHanamoto::MODULUS, Some("/soil/shear_modulus_m")),
+            (terramechanics::Bekker::K_C, Some("/soil/pressure_sinkage/k_c")),
+            (terramechanics::SinkageExponent::SLIP_GAIN, Some("/soil/pressure_sinkage/n1")),
+            (WheelOnSoil::STATIC_SINKAGE, Some("/static_sinkage_m")),
+            (Slip::RATIO, None),
+        ] {
+            assert_eq!(pointer_of(&parameter).as_deref(), pointer);
+        }
+    }
+
+    #[test]
+    fn names_are_listed_as_in_english() {
+        assert_eq!(listed(&["a", "b", "c"]), "a, b and c");
+        assert_eq!((listed(&["a", "b"]), listed(&["a"]), listed::<&str>(&[])), ("a and b".into(), "a".into(), String::new()));
+        assert_eq!((counted(1, "row", "rows"), counted(2, "row", "rows")), ("1 row".into(), "2 rows".into()));
+    }
+
+    #[test]
+    fn a_sentence_goes_on_behind_a_colon() {
+        assert_eq!(behind_colon("The soil is wet."), "the soil is wet.");
+        assert_eq!(behind_colon("Bekker's law holds."), "Bekker's law holds.");
+        assert_eq!(
+            ["the soil", "a wheel", "k_s is", "k of", "`n0` is"].map(capitalised),
+            ["The soil", "A wheel", "k_s is", "k of", "`n0` is"]
+        );
+    }
+}
