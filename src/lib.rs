@@ -23,7 +23,7 @@ mod series;
 pub mod server;
 mod stream;
 mod validation;
-mod wire;
+mod words;
 
 /// What is fuzzed; there is none of it in the program.
 #[cfg(fuzzing)]

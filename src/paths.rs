@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use crate::openapi;
-use crate::wire::nearest;
+use crate::words::nearest;
 
 /// A path with its methods.
 struct Known {

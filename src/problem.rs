@@ -11,7 +11,7 @@ use utoipa::ToSchema;
 use crate::compute::Stop;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
-use crate::wire::FieldFault;
+use terramechanics_reading::FieldFault;
 
 /// Why a request has no answer.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@ use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::CoupledReply;
-use crate::request::CoupledDto;
+use crate::request::{CoupledCase, CoupledRequest};
 
 /// Torque and pull from a load that is measured
 ///
@@ -20,13 +20,13 @@ use crate::request::CoupledDto;
     post,
     path = "/v1/coupled",
     tag = "forces",
-    request_body = CoupledDto,
+    request_body = CoupledRequest,
     responses((status = 200, description = "Torque and pull from a load that is measured", content((CoupledReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn coupled(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<CoupledDto>,
+    Input(query): Input<CoupledCase>,
 ) -> Result<Response, Problem> {
     let work = move |_: &Pace| {
         let reply = CoupledReply::try_from(&query).map_err(|error| Problem::refused(&error, &Sinkage::Given(query.sinkage)))?;

@@ -9,7 +9,7 @@ use crate::compute::{Cost, Pace, written};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::reply::{IdentifyReply, PlatesReply, ShearReply};
-use crate::request::{IdentifyDto, PlatesDto, ShearTestsDto};
+use crate::request::{IdentifyCase, IdentifyRequest, PlatesCase, PlatesRequest, ShearTestsCase, ShearTestsRequest};
 
 /// Parameters of soil and contact from measured forces
 ///
@@ -20,13 +20,13 @@ use crate::request::{IdentifyDto, PlatesDto, ShearTestsDto};
     post,
     path = "/v1/identify",
     tag = "identification",
-    request_body = IdentifyDto,
+    request_body = IdentifyRequest,
     responses((status = 200, description = "Parameters of soil and contact from measured forces", content((IdentifyReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn identify(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<IdentifyDto>,
+    Input(query): Input<IdentifyCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_identification(&query);
     let patience = service.limits().compute_deadline;
@@ -45,13 +45,13 @@ pub(crate) async fn identify(
     post,
     path = "/v1/identify/plates",
     tag = "identification",
-    request_body = PlatesDto,
+    request_body = PlatesRequest,
     responses((status = 200, description = "Bekker's parameters from plate tests", content((PlatesReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn plates(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<PlatesDto>,
+    Input(query): Input<PlatesCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.curves.iter().map(|curve| curve.sinkage.len()).sum());
     let work = move |_: &Pace| {
@@ -69,13 +69,13 @@ pub(crate) async fn plates(
     post,
     path = "/v1/identify/shear",
     tag = "identification",
-    request_body = ShearTestsDto,
+    request_body = ShearTestsRequest,
     responses((status = 200, description = "Strength and shear modulus from shear tests", content((ShearReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn shear(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<ShearTestsDto>,
+    Input(query): Input<ShearTestsCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.0.iter().map(|curve| curve.shear.len()).sum());
     let work = move |_: &Pace| {

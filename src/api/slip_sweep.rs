@@ -9,7 +9,7 @@ use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::SweepReply;
-use crate::request::{SweepDto, SweepQuery};
+use crate::request::{SweepCase, SweepRequest};
 
 /// Forces and torque of a wheel over slip
 ///
@@ -19,13 +19,13 @@ use crate::request::{SweepDto, SweepQuery};
     post,
     path = "/v1/slip-sweep",
     tag = "forces",
-    request_body = SweepDto,
+    request_body = SweepRequest,
     responses((status = 200, description = "Forces and torque of a wheel over slip", content((SweepReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn slip_sweep(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<SweepDto>,
+    Input(query): Input<SweepCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
@@ -39,17 +39,17 @@ pub(crate) async fn slip_sweep(
     get,
     path = "/v1/slip-sweep",
     tag = "forces",
-    params(SweepDto, FormatParameter),
+    params(SweepRequest, FormatParameter),
     responses((status = 200, description = "Forces and torque of a wheel over slip", content((SweepReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
 pub(crate) async fn slip_sweep_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<SweepDto>,
+    Asked { query, format }: Asked<SweepCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
 
-async fn answer(service: &Service, query: SweepQuery, format: Format) -> Result<Response, Problem> {
+async fn answer(service: &Service, query: SweepCase, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_points([query.operation], query.slips.len());
     let work = move |pace: &Pace| {
         let reply = SweepReply::of(&query, pace)?;

@@ -9,7 +9,7 @@ use crate::compute::{Cost, Pace, written};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::reply::ProfileReply;
-use crate::request::{ProfileDto, ProfileQuery};
+use crate::request::{ProfileCase, ProfileRequest};
 
 /// Stresses along the rim, exact and linearised
 ///
@@ -18,13 +18,13 @@ use crate::request::{ProfileDto, ProfileQuery};
     post,
     path = "/v1/stress-profile",
     tag = "forces",
-    request_body = ProfileDto,
+    request_body = ProfileRequest,
     responses((status = 200, description = "Stresses along the rim, exact and linearised", content((ProfileReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn stress_profile(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<ProfileDto>,
+    Input(query): Input<ProfileCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
@@ -38,17 +38,17 @@ pub(crate) async fn stress_profile(
     get,
     path = "/v1/stress-profile",
     tag = "forces",
-    params(ProfileDto, FormatParameter),
+    params(ProfileRequest, FormatParameter),
     responses((status = 200, description = "Stresses along the rim, exact and linearised", content((ProfileReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
 pub(crate) async fn stress_profile_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<ProfileDto>,
+    Asked { query, format }: Asked<ProfileCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
 
-async fn answer(service: &Service, query: ProfileQuery, format: Format) -> Result<Response, Problem> {
+async fn answer(service: &Service, query: ProfileCase, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_profile(&query.operation, query.points);
     let work = move |_: &Pace| {
         let reply = ProfileReply::try_from(&query).map_err(|error| Problem::refused(&error, &query.operation.sinkage))?;

@@ -3,14 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use terramechanics::{
-    Bekker, Contact, ContactParams, Diameter, Direct, PeakRule, PressureSinkage, Reece, ShearLaw, SinkageExponent, WongPeak,
-    WongResidual,
-};
+use terramechanics::{Contact, PressureSinkage, ShearLaw};
 use utoipa::ToSchema;
 
-use crate::request::LAWS;
-use crate::wire::Variant;
+use crate::request::{Law, PRESSURE_SINKAGE, RULES, SHEAR};
 
 /// How well a value is founded, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, ToSchema)]
@@ -108,6 +104,10 @@ pub(super) const SOIL_FIELDS: [&str; 5] =
 pub(super) const WHEEL_FIELDS: [&str; 4] = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
 const WHEEL_REQUIRED: [&str; 2] = ["radius_m", "width_m"];
 
+fn number(values: &Values, name: &str) -> Option<f64> {
+    values.get(name).map(|value| value.value)
+}
+
 fn absent(values: &Values, names: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
     names.into_iter().filter(|name| !values.contains_key(*name)).collect()
 }
@@ -115,7 +115,7 @@ fn absent(values: &Values, names: impl IntoIterator<Item = &'static str>) -> Vec
 impl WheelRecord {
     /// The value of that name.
     pub(crate) fn number(&self, name: &str) -> Option<f64> {
-        self.values.get(name).map(|value| value.value)
+        number(&self.values, name)
     }
 
     /// Required fields that are not known.
@@ -132,7 +132,7 @@ impl WheelRecord {
 impl SoilRecord {
     /// The value of that name.
     pub(crate) fn number(&self, name: &str) -> Option<f64> {
-        self.values.get(name).map(|value| value.value)
+        number(&self.values, name)
     }
 
     /// Gravity where the soil lies (m/s²), if it lies beyond the Earth.
@@ -147,53 +147,27 @@ impl SoilRecord {
 
     /// The pressure–sinkage law, if all its parameters are known.
     pub(crate) fn pressure_sinkage(&self) -> Option<PressureSinkage> {
-        let number = |name: &str| self.number(name);
-        let exponent = SinkageExponent { base: number("n0")?, slip_gain: number("n1").unwrap_or(0.0), skid_gain: number("n2") };
-        Some(match self.law.as_deref()? {
-            "bekker" => PressureSinkage::Bekker(Bekker { k_c: number("k_c")?, k_phi: number("k_phi")?, exponent }),
-            "direct" => PressureSinkage::Direct(Direct { k_s: number("k_s")?, exponent }),
-            "reece" => PressureSinkage::Reece(Reece {
-                k_c: number("k_c")?,
-                k_phi: number("k_phi")?,
-                unit_weight: number("unit_weight_n_m3")?,
-                exponent,
-            }),
-            "diameter" => PressureSinkage::Diameter(Diameter { k: number("k")?, m: number("m")?, exponent }),
-            _ => return None,
-        })
+        Law::named(PRESSURE_SINKAGE, self.law.as_deref()?)?.from_named(|name| self.number(name))
     }
 
     /// The shear law, if it is another than Janosi–Hanamoto's.
     pub(crate) fn shear(&self) -> Option<ShearLaw> {
         let record = self.shear.as_ref()?;
-        let number = |name: &str| record.values.get(name).map(|value| value.value);
-        Some(match record.law.as_str() {
-            "wong_residual" => ShearLaw::WongResidual(WongResidual {
-                residual_ratio: number("residual_ratio")?,
-                peak_displacement: number("peak_displacement_m")?,
-            }),
-            "wong_peak" => ShearLaw::WongPeak(WongPeak { peak_displacement: number("peak_displacement_m")? }),
-            _ => return None,
-        })
+        Law::named(SHEAR, &record.law)?.from_named(|name| number(&record.values, name)).flatten()
     }
 
     /// The contact that was measured with the soil.
     pub(crate) fn contact(&self) -> Option<Contact> {
         let record = self.contact.as_ref()?;
-        let number = |name: &str| record.values.get(name).map(|value| value.value);
-        let rule = match record.rule.as_str() {
-            "midpoint" => PeakRule::Midpoint,
-            "half_sinkage" => PeakRule::HalfSinkage,
-            "wong_reece" => PeakRule::WongReece { c1: number("c1")?, c2: number("c2")? },
-            _ => return None,
-        };
-        Contact::new(ContactParams { rule, exit_ratio: number("c3").unwrap_or(0.0) }).ok()
+        let params = Law::named(RULES, &record.rule)?.from_named(|name| number(&record.values, name))?;
+        Contact::new(params).ok()
     }
 
     /// Required parameters of the pressure–sinkage law that are not known.
     pub(crate) fn missing_of_law(&self) -> Vec<&'static str> {
-        let law = self.law.as_deref().and_then(|law| Variant::named(LAWS, law));
-        law.map_or_else(Vec::new, |law| absent(&self.values, law.required.iter().copied()))
+        let law = self.law.as_deref().and_then(|law| Law::named(PRESSURE_SINKAGE, law));
+        let required = law.iter().flat_map(|law| law.parameters).filter(|parameter| parameter.required);
+        absent(&self.values, required.map(|parameter| parameter.name))
     }
 
     /// Required fields that are not known.

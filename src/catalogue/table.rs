@@ -3,8 +3,7 @@
 use std::fmt::Write;
 
 use super::record::{SOIL_FIELDS, SoilRecord, Values, WHEEL_FIELDS, WheelRecord};
-use crate::request::{LAWS, RULES, SHEAR_LAWS};
-use crate::wire::Variant;
+use crate::request::{Law, PRESSURE_SINKAGE, RULES, SHEAR};
 
 /// Values of a wheel that are no part of a request.
 const WHEEL_FACTS: [&str; 2] = ["lug_count", "nominal_load_n"];
@@ -70,9 +69,9 @@ pub(crate) fn wheels_table<'a>(records: impl Iterator<Item = &'a WheelRecord>) -
 
 /// The soils as a table.
 pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> String {
-    let mut of_laws = parameters(LAWS);
+    let mut of_laws = parameters(PRESSURE_SINKAGE);
     of_laws.retain(|name| !SOIL_FIELDS.contains(name));
-    let (of_shear, of_rules) = (parameters(SHEAR_LAWS), parameters(RULES));
+    let (of_shear, of_rules) = (parameters(SHEAR), parameters(RULES));
     let header = [&["id", "name", "kind", "grade"][..], &SOIL_FIELDS, &["law"], &of_laws, &["shear_law"], &of_shear];
     let mut table = Table::with_header(header.into_iter().flatten().chain(&["rule"]).chain(&of_rules).copied());
     for record in records {
@@ -89,9 +88,9 @@ pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> 
     table.text
 }
 
-/// The parameters of all variants, each once.
-fn parameters(variants: &'static [Variant]) -> Vec<&'static str> {
-    super::distinct(variants.iter().flat_map(Variant::fields))
+/// The parameters of all laws of a family, each once.
+fn parameters<F>(laws: &'static [Law<F>]) -> Vec<&'static str> {
+    super::distinct(laws.iter().flat_map(Law::names))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use super::difference::{Difference, Spread};
 use super::slip_sweep::SweepColumns;
 use super::{Column, Reply, SweepReply, Warning};
 use crate::compute::{Pace, Stop};
-use crate::request::{Case, CompareQuery, SweepQuery};
+use crate::request::{CompareCase, SweepCase, Variation};
 
 /// Forces over slip by several methods and laws, how far each is from the first and from the integral, and the spread of all.
 #[derive(Debug, Serialize, ToSchema)]
@@ -52,14 +52,14 @@ impl CompareReply {
     ///
     /// # Errors
     /// [`Stop`], where the work is to end.
-    pub(crate) fn of(query: &CompareQuery, pace: &Pace) -> Result<Self, Stop> {
-        let CompareQuery { cases, slips } = query;
+    pub(crate) fn of(query: &CompareCase, pace: &Pace) -> Result<Self, Stop> {
+        let CompareCase { variations, slips } = query;
         let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
         let mut series: Vec<Series> = Vec::new();
-        for case @ Case { variant, operations } in cases {
-            let sweep = |operation: Operation| SweepReply::of(&SweepQuery { operation, slips: slips.clone() }, pace);
+        for variation @ Variation { variant, operations } in variations {
+            let sweep = |operation: Operation| SweepReply::of(&SweepCase { operation, slips: slips.clone() }, pace);
             let sweeps = operations.iter().map(|&operation| sweep(operation)).collect::<Result<Vec<_>, _>>()?;
-            let quadrature = case.quadrature_beside().map(sweep).transpose()?;
+            let quadrature = variation.quadrature_beside().map(sweep).transpose()?;
             let found = sweeps.iter().chain(&quadrature).find(|sweep| sweep.method == "quadrature");
             let gaps: Vec<_> = sweeps
                 .iter()

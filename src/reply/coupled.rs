@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::warning::system_warnings;
 use super::{AnglesReply, Reply, Warning};
-use crate::request::CoupledQuery;
+use crate::request::CoupledCase;
 
 /// Torque and longitudinal force that follow from what was measured.
 #[derive(Debug, Serialize, ToSchema)]
@@ -31,11 +31,11 @@ pub(crate) struct CoupledReply {
 
 const COLUMNS: [&str; 4] = ["slip", "sinkage_m", "longitudinal_force_n", "torque_n_m"];
 
-impl TryFrom<&CoupledQuery> for CoupledReply {
+impl TryFrom<&CoupledCase> for CoupledReply {
     type Error = Error;
 
-    fn try_from(query: &CoupledQuery) -> Result<Self, Error> {
-        let CoupledQuery { system, motion, sinkage, known } = query;
+    fn try_from(query: &CoupledCase) -> Result<Self, Error> {
+        let CoupledCase { system, motion, sinkage, known } = query;
         let rolling = system.rolling(motion.slip)?;
         let patch = rolling.contact(*sinkage)?;
         let forces = known.forces(&patch)?.heading(motion.heading);

@@ -8,8 +8,8 @@ use utoipa::ToSchema;
 
 use super::identify::{EstimateReply, implausible, words};
 use super::{Column, Reply, Warning};
-use crate::request::{PlatesQuery, ShearTestsQuery, name_of, plates_fault, shear_fault};
-use crate::wire::FieldFault;
+use crate::request::{PlatesCase, ShearTestsCase, name_of, plates_fault, shear_fault};
+use terramechanics_reading::FieldFault;
 
 /// Bekker's parameters from plate tests.
 #[derive(Debug, Serialize, ToSchema)]
@@ -114,10 +114,10 @@ struct ShearColumns {
     residual_shear_stress_pa: Column,
 }
 
-impl TryFrom<&PlatesQuery> for PlatesReply {
+impl TryFrom<&PlatesCase> for PlatesReply {
     type Error = FieldFault;
 
-    fn try_from(PlatesQuery { curves, left_out }: &PlatesQuery) -> Result<Self, FieldFault> {
+    fn try_from(PlatesCase { curves, left_out }: &PlatesCase) -> Result<Self, FieldFault> {
         let found = fit_plates(curves).map_err(plates_fault)?;
         let [k_c, k_phi, n0] = found.estimates.each_ref().map(|estimate| estimate.value);
         let mut warnings = open(&found.estimates);
@@ -174,10 +174,10 @@ impl TryFrom<&PlatesQuery> for PlatesReply {
     }
 }
 
-impl TryFrom<&ShearTestsQuery> for ShearReply {
+impl TryFrom<&ShearTestsCase> for ShearReply {
     type Error = FieldFault;
 
-    fn try_from(ShearTestsQuery(curves): &ShearTestsQuery) -> Result<Self, FieldFault> {
+    fn try_from(ShearTestsCase(curves): &ShearTestsCase) -> Result<Self, FieldFault> {
         let found = fit_shear_curves(curves).map_err(shear_fault)?;
         let mut columns = ShearColumns::default();
         for (curve, predicted) in curves.iter().zip(&found.predicted) {

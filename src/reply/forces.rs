@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::warning::system_warnings;
 use super::{AnglesReply, Reply, Warning};
-use crate::request::ForcesQuery;
+use crate::request::ForcesCase;
 
 /// The name of a method on the wire.
 pub(crate) fn method_name(method: &Method) -> &'static str {
@@ -97,11 +97,11 @@ pub(super) const COLUMNS: [&str; 11] = [
 /// Names of the further columns where a slip angle was sent.
 pub(super) const SIDE_COLUMNS: [&str; 3] = ["lateral_force_n", "overturning_moment_n_m", "aligning_moment_n_m"];
 
-impl TryFrom<&ForcesQuery> for ForcesReply {
+impl TryFrom<&ForcesCase> for ForcesReply {
     type Error = Error;
 
-    fn try_from(query: &ForcesQuery) -> Result<Self, Error> {
-        let ForcesQuery { operation, motion } = query;
+    fn try_from(query: &ForcesCase) -> Result<Self, Error> {
+        let ForcesCase { operation, motion } = query;
         let wheel = &operation.system.wheel;
         let point = operation.at(motion.slip)?;
         let forces = point.forces.heading(motion.heading);

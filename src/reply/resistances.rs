@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::warning::system_warnings;
 use super::{Reply, Warning};
-use crate::request::ResistancesQuery;
+use crate::request::ResistancesCase;
 
 /// Bekker's estimates for one wheel; null, with a warning, where the request lacks what an estimate needs.
 #[derive(Debug, Serialize, ToSchema)]
@@ -30,11 +30,11 @@ pub(crate) struct ResistancesReply {
 
 const COLUMNS: [&str; 4] = ["rigid_wheel_sinkage_m", "compaction_resistance_n", "bulldozing_resistance_n", "thrust_n"];
 
-impl TryFrom<&ResistancesQuery> for ResistancesReply {
+impl TryFrom<&ResistancesCase> for ResistancesReply {
     type Error = Error;
 
-    fn try_from(query: &ResistancesQuery) -> Result<Self, Error> {
-        let ResistancesQuery { system, normal_load, slip } = query;
+    fn try_from(query: &ResistancesCase) -> Result<Self, Error> {
+        let ResistancesCase { system, normal_load, slip } = query;
         let found = Resistances::of(system, *normal_load, *slip)?;
         let all = [found.rigid_wheel_sinkage, found.compaction, found.bulldozing, found.thrust];
         let mut warnings: Vec<Warning> = found.cautions(system, *slip).map(Warning::from).collect();

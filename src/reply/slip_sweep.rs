@@ -11,7 +11,7 @@ use super::forces::{COLUMNS, SIDE_COLUMNS, method_name};
 use super::warning::{RowCautions, rows_in_words, system_warnings};
 use super::{Column, Reply, Warning};
 use crate::compute::{Pace, Stop};
-use crate::request::{SweepQuery, error_pointer};
+use crate::request::{SweepCase, error_pointer};
 
 /// Forces over slip.
 #[derive(Debug, Serialize, ToSchema)]
@@ -78,8 +78,8 @@ impl SweepReply {
     ///
     /// # Errors
     /// [`Stop`], where the work is to end.
-    pub(crate) fn of(query: &SweepQuery, pace: &Pace) -> Result<Self, Stop> {
-        let SweepQuery { operation, slips } = query;
+    pub(crate) fn of(query: &SweepCase, pace: &Pace) -> Result<Self, Stop> {
+        let SweepCase { operation, slips } = query;
         let is_light = operation.model.method.is_closed_form();
         let mut sweep = SlipSweep::with_capacity(slips.len());
         for &slip in slips {

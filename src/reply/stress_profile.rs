@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::warning::system_warnings;
 use super::{AnglesReply, Column, Reply, Warning};
-use crate::request::ProfileQuery;
+use crate::request::ProfileCase;
 
 /// Stresses along the rim, exact and linearised.
 #[derive(Debug, Serialize, ToSchema)]
@@ -57,11 +57,11 @@ struct ProfileColumns {
     shear_stress_linear_pa: Column,
 }
 
-impl TryFrom<&ProfileQuery> for ProfileReply {
+impl TryFrom<&ProfileCase> for ProfileReply {
     type Error = Error;
 
-    fn try_from(query: &ProfileQuery) -> Result<Self, Error> {
-        let ProfileQuery { operation, motion, peak_depth, points } = query;
+    fn try_from(query: &ProfileCase) -> Result<Self, Error> {
+        let ProfileCase { operation, motion, peak_depth, points } = query;
         let rolling = operation.system.rolling(motion.slip)?;
         let (sinkage, solved) = operation.sinkage_of(&rolling)?;
         let patch = rolling.contact(sinkage)?;

@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::warning::system_warnings;
 use super::{AnglesReply, Reply, Warning};
-use crate::request::TowedQuery;
+use crate::request::TowedCase;
 
 /// A wheel that is towed and rolls freely: without a torque, under its load.
 #[derive(Debug, Serialize, ToSchema)]
@@ -29,11 +29,11 @@ pub(crate) struct TowedReply {
 
 const COLUMNS: [&str; 6] = ["slip", "sinkage_m", "towing_resistance_n", "entry_rad", "maximum_stress_rad", "exit_rad"];
 
-impl TryFrom<&TowedQuery> for TowedReply {
+impl TryFrom<&TowedCase> for TowedReply {
     type Error = Error;
 
-    fn try_from(query: &TowedQuery) -> Result<Self, Error> {
-        let TowedQuery { operation, load } = query;
+    fn try_from(query: &TowedCase) -> Result<Self, Error> {
+        let TowedCase { operation, load } = query;
         let towed = operation.system.solve_towed(*load)?;
         let (slip, angles) = (towed.slip.ratio(), towed.angles);
         let outcome = Outcome {

@@ -1,8 +1,7 @@
 //! Refusals of the model as faults of the request.
 
 use terramechanics::{Error, Parameter, Sinkage};
-
-use crate::wire::FieldFault;
+use terramechanics_reading::FieldFault;
 
 /// The field of a request to which a refusal of the model belongs.
 pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
@@ -37,12 +36,19 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
 
 /// A refusal of the model as a fault of the request.
 pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
-    let pointer = error_pointer(error, sinkage).to_owned();
-    let detail = match (error, sinkage) {
-        (Error::SinkageOutsideWheel { .. }, Sinkage::FromStatic { .. }) => {
-            format!("by the slip–sinkage law at this slip, {error}")
+    let fault = FieldFault::new(error_pointer(error, sinkage), error);
+    match (error, sinkage) {
+        (Error::SinkageOutsideWheel { sinkage: value, radius }, way) => {
+            let figures = FieldFault { value: Some(*value), maximum: Some(*radius), unit: Some("m"), ..fault };
+            match way {
+                // The sinkage that was refused is not the number that was sent.
+                Sinkage::FromStatic { .. } => {
+                    let detail = format!("by the slip–sinkage law at this slip, {}", figures.detail);
+                    FieldFault { detail, ..figures }
+                }
+                _ => figures,
+            }
         }
-        _ => error.to_string(),
-    };
-    FieldFault { pointer, detail }
+        _ => fault,
+    }
 }

@@ -2,189 +2,202 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use terramechanics::{Contact, JanosiHanamoto, ShearLaw, Soil, SoilParams};
+use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams};
+use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 
-use super::pressure_sinkage::{PressureSinkageDto, is_among};
-use super::shear::ShearDto;
-use super::wheel::missing;
+use super::laws::{self, Law};
+use super::preset::Preset;
+use super::{Described, Shape};
 use crate::catalogue::{self, SoilRecord};
-use crate::wire::{Choice, Entry, Field, Nested, Number, Object, Scope, wire_object};
 
-wire_object! {
-    /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
-    SoilDto as "Soil" {
-        preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
-        cohesion_pa: f64 = Number::new("Cohesion c (Pa).", 0.0, 1e8),
-        friction_angle_rad: f64 = Number::new("Internal friction angle φ (rad).", 0.0, FRAC_PI_2).open_above().angle(),
-        shear_modulus_m: f64 = Number::new("Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.", 1e-6, 10.0).length(),
-        pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
-        lateral_shear_modulus_m: f64 = Number::new("Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.", 1e-6, 10.0).length(),
-        unit_weight_n_m3: f64 = Number::new("Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.", 1.0, 1e6),
-        shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
+const PRESET: Field<Lookup<&'static SoilRecord>> =
+    Field::new("preset", "A soil of the catalogue, see /v1/soils.", Lookup { words: catalogue::soil_ids, find: catalogue::soil });
+pub(super) const COHESION: Field<Number> = Field::new("cohesion_pa", "Cohesion c (Pa).", Number::new("Pa", 0.0, 1e8));
+pub(super) const FRICTION_ANGLE: Field<Number> =
+    Field::new("friction_angle_rad", "Internal friction angle φ (rad).", Number::new("rad", 0.0, FRAC_PI_2).open_above());
+pub(super) const SHEAR_MODULUS: Field<Number> = Field::new(
+    "shear_modulus_m",
+    "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.",
+    Number::new("m", 1e-6, 10.0),
+);
+const PRESSURE_SINKAGE: Field<&Tagged> =
+    Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE_OBJECT);
+const LATERAL_SHEAR_MODULUS: Field<Number> = Field::new(
+    "lateral_shear_modulus_m",
+    "Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.",
+    Number::new("m", 1e-6, 10.0),
+);
+const UNIT_WEIGHT: Field<Number> = Field::new(
+    "unit_weight_n_m3",
+    "Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.",
+    Number::new("N/m3", 1.0, 1e6),
+);
+pub(super) const SHEAR: Field<&Tagged> =
+    Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR_OBJECT);
+/// The laws of a soil, which a variant of a comparison may have in place of its own.
+pub(super) const VARIED_SHEAR: Field<&Tagged> = Field { meaning: "Shear law, for that of the soil.", ..SHEAR };
+pub(super) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
+    Field { meaning: "Pressure–sinkage law, for that of the soil.", ..PRESSURE_SINKAGE };
+
+pub(super) const SOIL: Object = Object {
+    name: "Soil",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
+    groups: &[&[
+        &PRESET,
+        &COHESION,
+        &FRICTION_ANGLE,
+        &SHEAR_MODULUS,
+        &PRESSURE_SINKAGE,
+        &LATERAL_SHEAR_MODULUS,
+        &UNIT_WEIGHT,
+        &SHEAR,
+    ]],
+};
+
+impl Described for Soil {
+    const SHAPE: Shape = Shape::Object(&SOIL);
+}
+
+/// What a request needs of a soil.
+#[derive(Clone, Copy)]
+pub(super) struct Needs<'a> {
+    /// Whether the pressure–sinkage law has an influence; else it may be absent.
+    pub(super) pressure_sinkage: bool,
+    /// Whether the shear law has one.
+    pub(super) shear: bool,
+    /// The starts of the parameters that are fitted, by name: they may be absent.
+    pub(super) fitted: &'a dyn Fn(&str) -> Option<f64>,
+}
+
+impl Needs<'static> {
+    /// All that a soil has.
+    pub(super) const ALL: Self = Self { pressure_sinkage: true, shear: true, fitted: &|_| None };
+}
+
+/// Where the pressure–sinkage law comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LawOrigin {
+    /// From the request.
+    Request,
+    /// From the catalogue.
+    Catalogue,
+    /// The preset's gave way to the direct one, whose modulus is fitted.
+    Replaced,
+    /// There is none, as it has no influence.
+    Absent,
+}
+
+/// A soil that was read.
+#[derive(Clone, Copy)]
+pub(super) struct FoundSoil {
+    pub(super) soil: Soil,
+    /// The contact that the catalogue measured with it.
+    pub(super) contact: Option<Contact>,
+    pub(super) law: LawOrigin,
+}
+
+/// The model has no soil without laws; these stand in where a law has no influence.
+const NO_PRESSURE_SINKAGE: PressureSinkage =
+    PressureSinkage::Direct(Direct { k_s: 1e6, exponent: SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None } });
+const NO_SHEAR: ShearLaw = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.01 });
+
+/// The soil, from the request and the preset it names.
+pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
+    let preset = Preset::read(object, &PRESET);
+    let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
+    let cohesion = value(&COHESION);
+    let friction_angle = value(&FRICTION_ANGLE);
+    let shear = shear(object, &preset, needs);
+    let lateral_shear_modulus = preset.optional(object, &LATERAL_SHEAR_MODULUS).map(|own| {
+        // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
+        let beside_another_law = || match shear {
+            Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => preset.optional(object, &SHEAR_MODULUS).flatten(),
+            Some(ShearLaw::JanosiHanamoto(_)) | None => None,
+        };
+        own.or_else(beside_another_law)
+    });
+    let unit_weight = preset.optional(object, &UNIT_WEIGHT);
+    let pressure_sinkage = pressure_sinkage(object, &preset, needs);
+    let (pressure_sinkage, law) = pressure_sinkage?;
+    let params = SoilParams {
+        cohesion: cohesion?,
+        friction_angle: friction_angle?,
+        shear: shear?,
+        pressure_sinkage,
+        unit_weight: unit_weight?,
+        lateral_shear_modulus: lateral_shear_modulus?,
+    };
+    if !preset.is_sound {
+        return None;
+    }
+    let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let soil = preset.entry.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
+    let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
+    let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
+    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })
+}
+
+/// The shear law; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
+fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> Option<ShearLaw> {
+    let chosen = match object.optional(&SHEAR)? {
+        Some(chosen) => Law::chosen(laws::SHEAR, &chosen)?,
+        None => preset.entry.and_then(SoilRecord::shear),
+    };
+    if let Some(law) = chosen {
+        return object.optional(&SHEAR_MODULUS).map(|_| law);
+    }
+    let modulus = preset.optional(object, &SHEAR_MODULUS)?;
+    if modulus.is_none() && !needs.shear && !object.has(&SHEAR) {
+        return Some(NO_SHEAR);
+    }
+    let modulus = modulus.or_else(|| (needs.fitted)(SHEAR_MODULUS.name));
+    if modulus.is_none() {
+        preset.missing(object, &SHEAR_MODULUS);
+    }
+    modulus.map(|modulus| ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus }))
+}
+
+/// The pressure–sinkage law: that of the request, else that of the preset, else the one whose moduli are fitted.
+fn pressure_sinkage(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> Option<(PressureSinkage, LawOrigin)> {
+    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, needs.fitted)? {
+        return Law::chosen(laws::PRESSURE_SINKAGE, &chosen).map(|law| (law, LawOrigin::Request));
+    }
+    let published = preset.entry.and_then(SoilRecord::pressure_sinkage);
+    // A soil has one sinkage modulus: where it is fitted, that of another law has no place.
+    let replaces = (needs.fitted)(laws::K_S.name).is_some() && !matches!(published, None | Some(PressureSinkage::Direct(_)));
+    let of_fitted = || of_fitted(preset.entry, needs.fitted);
+    match published {
+        Some(law) if !replaces => Some((law, LawOrigin::Catalogue)),
+        Some(_) => of_fitted().map(|law| (law, LawOrigin::Replaced)),
+        None => match of_fitted() {
+            Some(law) => Some((law, LawOrigin::Request)),
+            None if !needs.pressure_sinkage => Some((NO_PRESSURE_SINKAGE, LawOrigin::Absent)),
+            None => {
+                missing_law(object, preset);
+                None
+            }
+        },
     }
 }
 
-impl SoilDto {
-    /// The soil, and the contact that the catalogue measured with it.
-    pub(crate) fn check(&self, place: &Scope<'_>) -> Option<(Soil, Option<Contact>)> {
-        self.report_oddities(place);
-        let preset = self.preset().looked_up(place, catalogue::soil);
-        let unknown_preset = self.preset().is_present() && preset.is_none();
-        let value = |entry: Entry<'_, f64>| {
-            if entry.is_present() {
-                return entry.checked(place);
-            }
-            let published = preset.and_then(|record| record.number(entry.name));
-            if published.is_none() && !unknown_preset {
-                missing(place, entry.name, preset.map(|record| record.id.as_str()));
-            }
-            published
-        };
-        let cohesion = value(self.cohesion_pa());
-        let friction_angle = value(self.friction_angle_rad());
-        let shear = self.shear_law(place, preset, || value(self.shear_modulus_m()));
-        let optional = |entry: Entry<'_, f64>| {
-            if entry.is_present() { entry.checked(place) } else { preset.and_then(|record| record.number(entry.name)) }
-        };
-        // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
-        let beside_another_law = || match shear {
-            Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => optional(self.shear_modulus_m()),
-            Some(ShearLaw::JanosiHanamoto(_)) | None => None,
-        };
-        let lateral_shear_modulus = match self.lateral_shear_modulus_m() {
-            entry if entry.is_present() => entry.checked(place),
-            entry => preset.and_then(|record| record.number(entry.name)).or_else(beside_another_law),
-        };
-        let unit_weight = optional(self.unit_weight_n_m3());
-        let law = self.pressure_sinkage();
-        let pressure_sinkage = if law.is_present() {
-            law.given(place).and_then(|dto| dto.check(&place.field(law.name)))
-        } else {
-            let published = preset.and_then(SoilRecord::pressure_sinkage);
-            if published.is_none() && !unknown_preset {
-                missing_law(place, law.name, preset);
-            }
-            published
-        };
-        let params = SoilParams {
-            cohesion: cohesion?,
-            friction_angle: friction_angle?,
-            shear: shear?,
-            pressure_sinkage: pressure_sinkage?,
-            unit_weight,
-            lateral_shear_modulus,
-        };
-        if unknown_preset {
-            return None;
-        }
-        let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
-        let soil = preset.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
-        let fitted_slip = preset.filter(|_| !law.is_present()).and_then(|record| record.largest_fitted_slip);
-        let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
-        Some((soil, preset.and_then(SoilRecord::contact)))
-    }
-
-    /// The soil with a value for each of `fitted` that neither it nor its preset has; and whether the preset's law gave way to
-    /// the direct one, because the modulus of that is fitted.
-    pub(super) fn filled(&self, fitted: &[(&'static str, f64)]) -> (Self, bool) {
-        let preset = self.record();
-        let mut soil = self.clone();
-        for &(name, value) in fitted {
-            let field = match name {
-                "cohesion_pa" => &mut soil.cohesion_pa,
-                "friction_angle_rad" => &mut soil.friction_angle_rad,
-                "shear_modulus_m" => &mut soil.shear_modulus_m,
-                _ => continue,
-            };
-            if matches!(field, Field::Absent) && preset.is_none_or(|record| !record.values.contains_key(name)) {
-                *field = Field::Given(value);
-            }
-        }
-        let gives_way = match &mut soil.pressure_sinkage {
-            Field::Given(law) => {
-                law.fill(fitted);
-                false
-            }
-            Field::Absent => {
-                let published = preset.filter(|record| record.pressure_sinkage().is_some());
-                let law = PressureSinkageDto::of_fitted(preset, fitted);
-                let gives_way =
-                    published.is_some_and(|record| record.law.as_deref() != Some("direct")) && is_among(fitted, "k_s");
-                if let Some(law) = law.filter(|_| published.is_none() || gives_way) {
-                    soil.pressure_sinkage = Field::Given(law);
-                }
-                gives_way
-            }
-            Field::Wrong(_) => false,
-        };
-        (soil, gives_way)
-    }
-
-    /// What the catalogue has of the preset, if it is one; nothing is reported.
-    fn record(&self) -> Option<&'static SoilRecord> {
-        match &self.preset {
-            Field::Given(id) => catalogue::soil(id),
-            Field::Absent | Field::Wrong(_) => None,
-        }
-    }
-
-    /// The soil with other laws, where there are any.
-    pub(super) fn with_laws(&self, shear: &Entry<'_, ShearDto>, pressure_sinkage: &Entry<'_, PressureSinkageDto>) -> Self {
-        let (shear, pressure_sinkage) = (shear.or(&self.shear), pressure_sinkage.or(&self.pressure_sinkage));
-        Self { shear, pressure_sinkage, ..self.clone() }
-    }
-
-    /// The soil with any law where neither it nor its preset has a pressure–sinkage law, for what that law cancels in; and whether
-    /// it has one of its own.
-    pub(super) fn with_any_law(&self) -> (Self, bool) {
-        let published = self.record().is_some_and(|record| record.pressure_sinkage().is_some());
-        let mut soil = self.clone();
-        let is_known = self.pressure_sinkage().is_present() || published;
-        if !is_known {
-            soil.pressure_sinkage = Field::Given(PressureSinkageDto::any());
-        }
-        (soil, is_known)
-    }
-
-    /// The soil with any shear modulus where neither it nor its preset has a shear law, for what does not depend on the shear.
-    pub(super) fn with_any_shear(&self) -> Self {
-        let published =
-            self.record().is_some_and(|record| record.shear().is_some() || record.number("shear_modulus_m").is_some());
-        let mut soil = self.clone();
-        if !published && !self.shear().is_present() && !self.shear_modulus_m().is_present() {
-            soil.shear_modulus_m = Field::Given(0.01);
-        }
-        soil
-    }
-
-    /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.
-    fn shear_law(
-        &self,
-        place: &Scope<'_>,
-        preset: Option<&SoilRecord>,
-        modulus: impl FnOnce() -> Option<f64>,
-    ) -> Option<ShearLaw> {
-        let law = self.shear();
-        let chosen =
-            if law.is_present() { law.given(place)?.check(&place.field(law.name))? } else { preset.and_then(SoilRecord::shear) };
-        match chosen {
-            Some(law) => {
-                let given = self.shear_modulus_m();
-                if given.is_present() { given.checked(place).map(|_| law) } else { Some(law) }
-            }
-            None => Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: modulus()? })),
-        }
-    }
+/// The law of which all moduli are fitted, with the exponents of the preset; none where the moduli or n0 would be lacking.
+fn of_fitted(preset: Option<&SoilRecord>, fitted: &dyn Fn(&str) -> Option<f64>) -> Option<PressureSinkage> {
+    let name = if fitted(laws::K_S.name).is_some() { "direct" } else { "bekker" };
+    let law = Law::named(laws::PRESSURE_SINKAGE, name)?;
+    law.from_named(|name| match name {
+        "n0" | "n1" | "n2" => preset.and_then(|record| record.number(name)).or_else(|| fitted(name)),
+        modulus => fitted(modulus),
+    })
 }
 
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
-fn missing_law(place: &Scope<'_>, name: &'static str, preset: Option<&SoilRecord>) {
-    match preset.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
-        Some((record, Some(law), parameters)) => place.field(name).fault(format_args!(
+fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
+    match preset.entry.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
+        Some((record, Some(law), parameters)) => object.place_of(&PRESSURE_SINKAGE).fault(format_args!(
             "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
             record.id,
             parameters.join(", ")
         )),
-        _ => missing(place, name, preset.map(|record| record.id.as_str())),
+        _ => preset.missing(object, &PRESSURE_SINKAGE),
     }
 }

@@ -1,11 +1,11 @@
 //! What the model gives at the points of a set: each is the request that a client would send to `/v1/forces`.
 
 use terramechanics::{Caution, OperatingPoint, Outcome, cautions};
+use terramechanics_reading::Node;
 
 use super::{Quantities, Record, Run};
 use crate::reply::RowCautions;
-use crate::request::{ForcesDto, ForcesQuery, checked};
-use crate::wire::read;
+use crate::request::{ForcesCase, checked};
 
 /// What one run gives at the measured slips and loads, NaN where it has no solution.
 #[derive(Debug, Default)]
@@ -56,7 +56,7 @@ fn point(record: &Record, run: &Run, row: usize) -> Result<(OperatingPoint, Vec<
 }
 
 /// The request for a row.
-fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesQuery, String> {
+fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesCase, String> {
     let points = record.points();
     let mut body = run.fields();
     body["wheel"] = record.wheel.clone();
@@ -69,8 +69,7 @@ fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesQuery, String> 
     if let Some(side) = record.side_slip {
         body["slip_angle_rad"] = side.angle().into();
     }
-    let field = read::<ForcesDto>(body.to_string().as_bytes()).map_err(|error| error.to_string())?;
-    checked(&field).map_err(|faults| format!("{faults:?}"))
+    checked(&Node::from(&body)).map_err(|faults| format!("{faults:?}"))
 }
 
 /// The root of the mean square of the errors that are numbers; none where there is none.

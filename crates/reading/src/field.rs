@@ -130,3 +130,14 @@ impl<K: Kind> Declared for Field<K> {
 
 /// Fields that are read together and stand in more than one object.
 pub type Group = &'static [&'static dyn Declared];
+
+/// The group of some fields of one kind.
+pub const fn group<K: Kind, const N: usize>(fields: &'static [Field<K>; N]) -> [&'static dyn Declared; N] {
+    let mut group: [&'static dyn Declared; N] = [&fields[0]; N];
+    let mut i = 0;
+    while i < N {
+        group[i] = &fields[i];
+        i += 1;
+    }
+    group
+}

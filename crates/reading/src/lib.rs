@@ -47,7 +47,7 @@ mod tagged;
 mod word;
 
 pub use fault::{Faults, FieldFault, Scope};
-pub use field::{Components, Declared, Field, Group, Kind};
+pub use field::{Components, Declared, Field, Group, Kind, group};
 pub use hints::{Hints, OtherUnit, shortened, unknown_word};
 pub use json::{MOST_NODES, Unread, json};
 pub use list::{Bounds, Items, Numbers, Objects, Words};

@@ -195,7 +195,7 @@ impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
 }
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Words<T> {
-    fn default<'a>(&self) -> Option<Vec<T>> {
+    fn default(&self) -> Option<Vec<T>> {
         self.all_unless_given.then(|| self.word.words.iter().map(|(_, value)| *value).collect())
     }
 }
@@ -211,14 +211,22 @@ pub struct Objects {
     pub most: usize,
 }
 
-/// Objects as they were sent.
+/// Objects as they were sent; none where the list was not.
 #[derive(Default)]
-pub struct Items<'a>(Vec<Option<Reader<'a>>>);
+pub struct Items<'a>(Option<(&'static Object, &'a List<'a>, Scope<'a>)>);
 
 impl Items<'_> {
     /// What `read` makes of every object; none where one is wrong, yet all are read.
-    pub fn each<T>(&self, mut read: impl FnMut(&Reader<'_>) -> Option<T>) -> Option<Vec<T>> {
-        let read: Vec<Option<T>> = self.0.iter().map(|item| item.as_ref().and_then(&mut read)).collect();
+    pub fn each<T>(&self, mut read: impl FnMut(&Reader<'_>, usize) -> Option<T>) -> Option<Vec<T>> {
+        let Some((object, list, place)) = self.0 else { return Some(Vec::new()) };
+        let read = |(i, item): (usize, Item<'_, '_>)| match item {
+            Item::Other(node) => read(&object.read(node, place.item(i))?, i),
+            other => {
+                place.item(i).fault(format_args!("must be an object, not {}", other.in_words()));
+                None
+            }
+        };
+        let read: Vec<Option<T>> = list.items().enumerate().map(read).collect();
         read.into_iter().collect()
     }
 }
@@ -232,14 +240,7 @@ impl Kind for Objects {
         if !(fewest..=most).contains(&list.len()) {
             return wrong_length(&place, list.len(), (fewest, most), format!("must have from {fewest} to {most} items"));
         }
-        let reader = |(i, item): (usize, Item<'a, 'a>)| match item {
-            Item::Other(node) => self.object.read(node, place.item(i)),
-            other => {
-                place.item(i).fault(format_args!("must be an object, not {}", other.in_words()));
-                None
-            }
-        };
-        Some(Items(list.items().enumerate().map(reader).collect()))
+        Some(Items(Some((self.object, list, place))))
     }
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {

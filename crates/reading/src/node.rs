@@ -67,6 +67,12 @@ impl Node<'_> {
 pub struct Fields<'a>(pub(crate) Vec<(Cow<'a, str>, Node<'a>)>);
 
 impl<'a> Fields<'a> {
+    /// The value at that place.
+    #[must_use]
+    pub fn get(&self, at: usize) -> Option<&Node<'a>> {
+        self.0.get(at).map(|(_, node)| node)
+    }
+
     /// Names and values.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Node<'a>)> {
         self.0.iter().map(|(name, node)| (name.as_ref(), node))

@@ -61,6 +61,12 @@ impl Number {
         Self { default: Some(default), ..self }
     }
 
+    /// The same number where nothing holds if the field is left out.
+    #[must_use]
+    pub const fn without_default(self) -> Self {
+        Self { default: None, ..self }
+    }
+
     /// Its unit.
     #[must_use]
     pub const fn unit(&self) -> &'static str {
@@ -200,7 +206,7 @@ impl Kind for Number {
 }
 
 impl Defaulting for Number {
-    fn default<'a>(&self) -> Option<f64> {
+    fn default(&self) -> Option<f64> {
         self.default
     }
 }

@@ -36,7 +36,7 @@ pub struct Reader<'a> {
 /// What holds where a field of a kind is left out.
 pub trait Defaulting: Kind {
     /// The default; none where there is none.
-    fn default<'a>(&self) -> Option<Self::Value<'a>>;
+    fn default(&self) -> Option<Self::Value<'_>>;
 }
 
 impl<'a> Reader<'a> {
@@ -54,6 +54,12 @@ impl<'a> Reader<'a> {
     #[must_use]
     pub fn overlaid(self, over: &'a Reader<'a>) -> Self {
         Self { over: Some(over), ..self }
+    }
+
+    /// The object as one that stands at another place.
+    #[must_use]
+    pub fn at(self, place: Scope<'a>) -> Self {
+        Self { place, ..self }
     }
 
     /// Where the object stands.
@@ -104,7 +110,7 @@ impl<'a> Reader<'a> {
 
     /// Its value, or what holds where it was not sent; none where what was sent is wrong or there is no default.
     #[must_use]
-    pub fn or_default<'r, K: Defaulting>(&'r self, field: &Field<K>) -> Option<K::Value<'r>> {
+    pub fn or_default<'r, K: Defaulting>(&'r self, field: &'r Field<K>) -> Option<K::Value<'r>> {
         self.optional(field)?.or_else(|| field.kind.default())
     }
 

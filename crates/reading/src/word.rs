@@ -67,7 +67,7 @@ impl<T: Copy + PartialEq + Sync> Kind for Word<T> {
 }
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Word<T> {
-    fn default<'a>(&self) -> Option<T> {
+    fn default(&self) -> Option<T> {
         self.default
     }
 }

@@ -10,22 +10,20 @@ use super::{EstimateReply, IdentifyReply};
 use crate::reply::Warning;
 use crate::reply::soil::{ContactBody, SoilBody};
 use crate::reply::warning::system_warnings;
-use crate::request::{LinearQuery, fit_fault, name_of, refusal_pointer};
-use crate::wire::FieldFault;
+use crate::request::{LinearCase, fit_fault, name_of, refusal_pointer};
+use terramechanics_reading::FieldFault;
 
 impl IdentifyReply {
-    pub(super) fn of_line(query: &LinearQuery) -> Result<Self, FieldFault> {
-        let LinearQuery { setup, observations, law_known } = query;
+    pub(super) fn of_line(query: &LinearCase) -> Result<Self, FieldFault> {
+        let LinearCase { setup, observations, law_known } = query;
         let fault = |error: FitError| match error {
-            FitError::Refused { row, error } => {
-                FieldFault { pointer: refusal_pointer(row, &error, &setup.sinkage), detail: error.to_string() }
-            }
+            FitError::Refused { row, error } => FieldFault::new(refusal_pointer(row, &error, &setup.sinkage), error),
             other => fit_fault(&other, &setup.sinkage),
         };
         let Some(found) = fit_line(setup, observations).map_err(fault)? else {
             let detail = "the normal stress under the wheel is the same in all samples: two different loads, sinkages or slips at \
                           least are needed to tell cohesion from friction";
-            return Err(FieldFault { pointer: "/data".to_owned(), detail: detail.to_owned() });
+            return Err(FieldFault::new("/data", detail));
         };
         let bias = if *law_known { found.model_bias() } else { None };
         let estimates = found
@@ -61,7 +59,7 @@ impl IdentifyReply {
     }
 }
 
-fn sinkages(query: &LinearQuery) -> Vec<f64> {
+fn sinkages(query: &LinearCase) -> Vec<f64> {
     query.observations.sinkage.as_ref().map_or_else(Vec::new, |column| column.values.clone())
 }
 

@@ -19,8 +19,8 @@ use super::forces::method_name;
 use super::soil::{ContactBody, SoilBody};
 use super::warning::system_warnings;
 use super::{Reply, Warning};
-use crate::request::{FitQuery, IdentifyQuery, column_name, fit_fault, name_of};
-use crate::wire::FieldFault;
+use crate::request::{FitCase, IdentifyCase, column_name, fit_fault, name_of};
+use terramechanics_reading::FieldFault;
 
 /// What measurements tell of the parameters, and what they do not.
 #[derive(Debug, Serialize, ToSchema)]
@@ -92,15 +92,15 @@ impl IdentifyReply {
     ///
     /// # Errors
     /// What of the request the model or the data do not allow.
-    pub(crate) fn of(query: &IdentifyQuery, patience: Duration) -> Result<Self, Vec<FieldFault>> {
+    pub(crate) fn of(query: &IdentifyCase, patience: Duration) -> Result<Self, Vec<FieldFault>> {
         match query {
-            IdentifyQuery::Fit(query) => Self::of_fit(query, Instant::now() + patience.mul_f64(SEARCHING)),
-            IdentifyQuery::Linear(query) => Self::of_line(query).map_err(|fault| vec![fault]),
+            IdentifyCase::Fit(query) => Self::of_fit(query, Instant::now() + patience.mul_f64(SEARCHING)),
+            IdentifyCase::Linear(query) => Self::of_line(query).map_err(|fault| vec![fault]),
         }
     }
 
-    fn of_fit(query: &FitQuery, until: Instant) -> Result<Self, Vec<FieldFault>> {
-        let FitQuery { setup, observations, sought, options, .. } = query;
+    fn of_fit(query: &FitCase, until: Instant) -> Result<Self, Vec<FieldFault>> {
+        let FitCase { setup, observations, sought, options, .. } = query;
         let options = FitOptions { until: Some(until), ..*options };
         let found = fit(setup, observations, sought, &options).map_err(|error| vec![fit_fault(&error, &setup.sinkage)])?;
         let direction = |direction: &Vec<_>| direction.iter().map(|&(unknown, share)| (name_of(unknown), share)).collect();
@@ -148,7 +148,7 @@ const TOO_LARGE: f64 = 4.0;
 const TOO_SMALL: f64 = 0.25;
 
 /// What there is to say of a fit as a whole.
-fn warnings(query: &FitQuery, found: &Fit) -> Vec<Warning> {
+fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = system_warnings(&found.setup.wheel, &found.setup.soil).collect();
     let mut warn = |code: &'static str, detail: String| warnings.push(Warning::new(code, detail));
     let names = |open: bool| -> Vec<&'static str> {

@@ -12,7 +12,7 @@ use utoipa::ToSchema;
 use self::columns::{ForceColumns, PredictedColumns, ValidationColumns};
 use super::warning::{rows_in_words, shared_warnings};
 use super::{Column, Reply, RowCautions, Warning};
-use crate::request::{ContactDto, SoilDto, WheelDto};
+use crate::request::{ContactObject, SoilObject, WheelObject};
 use crate::validation::{MeasurementGrade, Prediction, Record, Run, root_mean_square};
 
 /// A set of published measurements, with what each method gives for it.
@@ -30,15 +30,15 @@ pub(crate) struct ValidationSet {
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<&'static str>,
     /// The wheel, ready for a request.
-    #[schema(value_type = WheelDto)]
+    #[schema(value_type = WheelObject)]
     wheel: &'static Value,
     /// The soil, ready for a request.
-    #[schema(value_type = SoilDto)]
+    #[schema(value_type = SoilObject)]
     soil: &'static Value,
     /// The contact, ready for a request; else that of the columns where they have one, what the catalogue measured with the
     /// soil, or midpoint.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Option<ContactDto>)]
+    #[schema(value_type = Option<ContactObject>)]
     contact: Option<&'static Value>,
     /// Slip angle β (rad), ready for a request; absent where the wheel went straight ahead.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -82,7 +82,7 @@ pub(crate) fn read_bridge(object: &Reader<'_>) -> Option<Bridge> {
         }
     });
     let side = object.or_default(&SIDE);
-    let piers = object.optional(&PIERS).and_then(|piers| piers.unwrap_or_default().each(|pier| pier.required(&HEIGHT)));
+    let piers = object.optional(&PIERS).and_then(|piers| piers.unwrap_or_default().each(|pier, _| pier.required(&HEIGHT)));
     let sides = object.or_default(&ALL_SIDES);
     let range = object.optional(&LIMITS);
     let note = object.optional(&NOTE);
