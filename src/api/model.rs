@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use axum::response::Response;
 use serde::{Deserialize, Serialize};
-use terramechanics::{Caution, CautionKind};
+use terramechanics::{Caution, CautionKind, ERRATA, SOURCES};
 use utoipa::ToSchema;
 
 use super::responses::{InvalidQuery, Limits};
@@ -27,6 +27,8 @@ pub(crate) struct Model {
     /// The ways to the forces, and what each costs in accuracy.
     methods: Vec<MethodNote>,
     /// Where the letter as printed is not what is computed.
+    #[serde(default)]
+    #[schema(required)]
     errata: Vec<Erratum>,
     /// What is refused.
     refusals: Vec<String>,
@@ -36,6 +38,8 @@ pub(crate) struct Model {
     #[serde(default)]
     gravity: Vec<Gravity>,
     /// The papers named.
+    #[serde(default)]
+    #[schema(required)]
     references: Vec<String>,
 }
 
@@ -115,6 +119,13 @@ struct WarningNote {
     source: Option<String>,
 }
 
+impl From<&terramechanics::Erratum> for Erratum {
+    fn from(erratum: &terramechanics::Erratum) -> Self {
+        let terramechanics::Erratum { number, printed, reason, computed } = *erratum;
+        Self { number, printed: printed.into(), reason: reason.into(), computed: computed.into() }
+    }
+}
+
 impl From<&CautionKind> for WarningNote {
     fn from(kind: &CautionKind) -> Self {
         let range = kind.range.as_ref();
@@ -134,6 +145,8 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
         serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
     model.warnings.splice(0..0, Caution::KINDS.into_iter().map(WarningNote::from));
     model.gravity = catalogue::gravity().to_vec();
+    model.errata = ERRATA.iter().map(Erratum::from).collect();
+    model.references = SOURCES.iter().map(|source| source.text.into()).collect();
     serde_json::to_string_pretty(&model).unwrap_or_default()
 });
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use terramechanics_reading::FieldFault;
+use terramechanics_reading::{FieldFault, Figures};
 use utoipa::openapi::response::{Response, ResponseBuilder};
 use utoipa::openapi::{ContentBuilder, Ref, RefOr};
 use utoipa::{IntoResponses, ToSchema};
@@ -29,8 +29,8 @@ fn problems(list: Vec<(Problem, &str)>) -> BTreeMap<String, RefOr<Response>> {
 /// A refusal, for example.
 fn refused() -> Problem {
     let fault = FieldFault::new("/soil/cohesion_pa", "must be from 0 to 1e8, not -5");
-    let (value, minimum, maximum) = (Some(-5.0), Some(0.0), Some(1e8));
-    Problem::Invalid(vec![FieldFault { value, minimum, maximum, unit: Some("Pa"), ..fault }])
+    let figures = Figures { unit: Some("Pa".into()), minimum: Some(0.0), maximum: Some(1e8), ..Figures::default() };
+    Problem::Invalid(vec![fault.with(Figures { value: Some(-5.0), ..figures })])
 }
 
 /// What can be wrong with a body.

@@ -117,18 +117,19 @@ static EXTENTS: LazyLock<Extents> = LazyLock::new(|| {
 pub(crate) fn outside(wheel: &Wheel, soil: &SoilParams) -> impl Iterator<Item = Outside> + use<> {
     let extents = &*EXTENTS;
     let (lug_height, radius) = (wheel.lug_height(), wheel.radius());
-    let exponent = soil.pressure_sinkage.exponent().base;
+    let exponent = soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base);
     let (of_law, weight_of_law) = match soil.pressure_sinkage {
-        PressureSinkage::Bekker(Bekker { k_c, k_phi, .. }) => (each(&extents.bekker, [k_c.abs(), k_phi, exponent]), None),
-        PressureSinkage::Direct(Direct { k_s, .. }) => (each(&extents.direct, [0.0, k_s, exponent]), None),
-        PressureSinkage::Reece(Reece { k_c, k_phi, unit_weight, .. }) => {
+        None => ([None; 3], None),
+        Some(PressureSinkage::Bekker(Bekker { k_c, k_phi, .. })) => (each(&extents.bekker, [k_c.abs(), k_phi, exponent]), None),
+        Some(PressureSinkage::Direct(Direct { k_s, .. })) => (each(&extents.direct, [0.0, k_s, exponent]), None),
+        Some(PressureSinkage::Reece(Reece { k_c, k_phi, unit_weight, .. })) => {
             (each(&extents.reece, [k_c.abs(), k_phi, exponent]), Some(unit_weight))
         }
-        PressureSinkage::Diameter(Diameter { k, .. }) => (each(&extents.diameter, [0.0, k, exponent]), None),
+        Some(PressureSinkage::Diameter(Diameter { k, .. })) => (each(&extents.diameter, [0.0, k, exponent]), None),
     };
     let weights = each(&extents.unit_weights, [soil.unit_weight.unwrap_or(0.0), weight_of_law.unwrap_or(0.0)]);
     // Where one length is taken for the other it is told once.
-    let along = length(&soil.shear);
+    let along = soil.shear.as_ref().map_or(0.0, length);
     let across = soil.lateral_shear_modulus.filter(|across| *across != along).unwrap_or(0.0);
     let own = [
         Extent::left_by(&extents.radius, radius),

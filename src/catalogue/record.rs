@@ -3,10 +3,8 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use terramechanics::{Contact, PressureSinkage, ShearLaw};
+use terramechanics::{Contact, ContactParams, PeakRule, PressureSinkage, ShearLaw};
 use utoipa::ToSchema;
-
-use crate::request::{Law, PRESSURE_SINKAGE, RULES, SHEAR};
 
 /// How well a value is founded, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, ToSchema)]
@@ -104,10 +102,6 @@ pub(super) const SOIL_FIELDS: [&str; 5] =
 pub(super) const WHEEL_FIELDS: [&str; 4] = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
 const WHEEL_REQUIRED: [&str; 2] = ["radius_m", "width_m"];
 
-fn number(values: &Values, name: &str) -> Option<f64> {
-    values.get(name).map(|value| value.value)
-}
-
 fn absent(values: &Values, names: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
     names.into_iter().filter(|name| !values.contains_key(*name)).collect()
 }
@@ -115,7 +109,7 @@ fn absent(values: &Values, names: impl IntoIterator<Item = &'static str>) -> Vec
 impl WheelRecord {
     /// The value of that name.
     pub(crate) fn number(&self, name: &str) -> Option<f64> {
-        number(&self.values, name)
+        self.values.get(name).map(|value| value.value)
     }
 
     /// Required fields that are not known.
@@ -132,7 +126,7 @@ impl WheelRecord {
 impl SoilRecord {
     /// The value of that name.
     pub(crate) fn number(&self, name: &str) -> Option<f64> {
-        number(&self.values, name)
+        self.values.get(name).map(|value| value.value)
     }
 
     /// Gravity where the soil lies (m/s²), if it lies beyond the Earth.
@@ -147,27 +141,28 @@ impl SoilRecord {
 
     /// The pressure–sinkage law, if all its parameters are known.
     pub(crate) fn pressure_sinkage(&self) -> Option<PressureSinkage> {
-        Law::named(PRESSURE_SINKAGE, self.law.as_deref()?)?.from_named(|name| self.number(name))
+        PressureSinkage::named(self.law.as_deref()?)?.from_named(|name| self.number(name)).ok()
     }
 
     /// The shear law, if it is another than Janosi–Hanamoto's.
     pub(crate) fn shear(&self) -> Option<ShearLaw> {
         let record = self.shear.as_ref()?;
-        Law::named(SHEAR, &record.law)?.from_named(|name| number(&record.values, name)).flatten()
+        let number = |name: &str| record.values.get(name).map(|value| value.value);
+        ShearLaw::named(&record.law)?.from_named(number).ok()
     }
 
     /// The contact that was measured with the soil.
     pub(crate) fn contact(&self) -> Option<Contact> {
         let record = self.contact.as_ref()?;
-        let params = Law::named(RULES, &record.rule)?.from_named(|name| number(&record.values, name))?;
-        Contact::new(params).ok()
+        let number = |name: &str| record.values.get(name).map(|value| value.value);
+        let rule = PeakRule::named(&record.rule)?.from_named(number).ok()?;
+        Contact::new(ContactParams { rule, exit_ratio: number("c3").or(Contact::EXIT_RATIO.default())? }).ok()
     }
 
     /// Required parameters of the pressure–sinkage law that are not known.
     pub(crate) fn missing_of_law(&self) -> Vec<&'static str> {
-        let law = self.law.as_deref().and_then(|law| Law::named(PRESSURE_SINKAGE, law));
-        let required = law.iter().flat_map(|law| law.parameters).filter(|parameter| parameter.required);
-        absent(&self.values, required.map(|parameter| parameter.name))
+        let parameters = self.law.as_deref().and_then(PressureSinkage::named).map_or(&[][..], |law| law.parameters);
+        absent(&self.values, parameters.iter().filter(|parameter| parameter.is_required()).map(|parameter| parameter.name))
     }
 
     /// Required fields that are not known.

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
+use terramechanics::{Contact, Law, PeakRule, PressureSinkage, ShearLaw};
+
 use super::record::{SOIL_FIELDS, SoilRecord, Values, WHEEL_FIELDS, WheelRecord};
-use crate::request::{Law, PRESSURE_SINKAGE, RULES, SHEAR};
 
 /// Values of a wheel that are no part of a request.
 const WHEEL_FACTS: [&str; 2] = ["lug_count", "nominal_load_n"];
@@ -69,9 +70,9 @@ pub(crate) fn wheels_table<'a>(records: impl Iterator<Item = &'a WheelRecord>) -
 
 /// The soils as a table.
 pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> String {
-    let mut of_laws = parameters(PRESSURE_SINKAGE);
-    of_laws.retain(|name| !SOIL_FIELDS.contains(name));
-    let (of_shear, of_rules) = (parameters(SHEAR), parameters(RULES));
+    let (of_laws, of_shear, of_rules) =
+        (parameters(PressureSinkage::LAWS), parameters(ShearLaw::LAWS), parameters(PeakRule::LAWS));
+    let of_rules = [&[Contact::EXIT_RATIO.name], &of_rules[..]].concat();
     let header = [&["id", "name", "kind", "grade"][..], &SOIL_FIELDS, &["law"], &of_laws, &["shear_law"], &of_shear];
     let mut table = Table::with_header(header.into_iter().flatten().chain(&["rule"]).chain(&of_rules).copied());
     for record in records {
@@ -88,9 +89,10 @@ pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> 
     table.text
 }
 
-/// The parameters of all laws of a family, each once.
+/// The parameters of all laws of a family, each once, but those that every soil has.
 fn parameters<F>(laws: &'static [Law<F>]) -> Vec<&'static str> {
-    super::distinct(laws.iter().flat_map(Law::names))
+    let names = laws.iter().flat_map(|law| law.parameters).map(|parameter| parameter.name);
+    super::distinct(names.filter(|name| !SOIL_FIELDS.contains(name)))
 }
 
 #[cfg(test)]

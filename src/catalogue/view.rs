@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use terramechanics::{Contact, Law, PeakRule, PressureSinkage, ShearLaw};
 use utoipa::ToSchema;
 
 use super::record::{Grade, SOIL_FIELDS, SoilRecord, Value, Values, WHEEL_FIELDS, WheelRecord};
-use crate::request::{Law, PRESSURE_SINKAGE, RULES, SHEAR};
 
 /// One value as it is shown, complete with its source.
 #[derive(Debug, Serialize, ToSchema)]
@@ -125,8 +125,8 @@ fn views<'a>(values: &'a Values, source: &'a str, grade: Grade) -> BTreeMap<&'a 
 }
 
 /// The names of the parameters of a law.
-fn parameters<F>(laws: &'static [Law<F>], name: &str) -> Vec<&'static str> {
-    Law::named(laws, name).iter().flat_map(|law| law.names()).collect()
+fn parameters<F>(law: Option<&Law<F>>) -> Vec<&'static str> {
+    law.iter().flat_map(|law| law.parameters).map(|parameter| parameter.name).collect()
 }
 
 impl WheelRecord {
@@ -170,18 +170,21 @@ impl SoilRecord {
                 pressure_sinkage: self.law.as_ref().map(|law| TaggedBody {
                     law: Some(law),
                     rule: None,
-                    parameters: numbers(&self.values, &parameters(PRESSURE_SINKAGE, law)),
+                    parameters: numbers(&self.values, &parameters(PressureSinkage::named(law))),
                 }),
                 shear: self.shear.as_ref().map(|shear| TaggedBody {
                     law: Some(&shear.law),
                     rule: None,
-                    parameters: numbers(&shear.values, &parameters(SHEAR, &shear.law)),
+                    parameters: numbers(&shear.values, &parameters(ShearLaw::named(&shear.law))),
                 }),
             },
             contact: self.contact.as_ref().map(|contact| TaggedBody {
                 law: None,
                 rule: Some(&contact.rule),
-                parameters: numbers(&contact.values, &parameters(RULES, &contact.rule)),
+                parameters: numbers(
+                    &contact.values,
+                    &[&parameters(PeakRule::named(&contact.rule))[..], &[Contact::EXIT_RATIO.name]].concat(),
+                ),
             }),
             largest_fitted_slip: self.largest_fitted_slip,
             values,

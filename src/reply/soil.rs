@@ -116,23 +116,15 @@ pub(super) enum ContactBody {
 
 impl From<&SoilParams> for SoilBody {
     fn from(soil: &SoilParams) -> Self {
-        let exponent = soil.pressure_sinkage.exponent();
-        let (n0, n1, n2) = (exponent.base, exponent.slip_gain, exponent.skid_gain);
-        let pressure_sinkage = match soil.pressure_sinkage {
-            PressureSinkage::Bekker(law) => LawBody::Bekker { k_c: law.k_c, k_phi: law.k_phi, n0, n1, n2 },
-            PressureSinkage::Direct(law) => LawBody::Direct { k_s: law.k_s, n0, n1, n2 },
-            PressureSinkage::Reece(law) => {
-                LawBody::Reece { k_c: law.k_c, k_phi: law.k_phi, unit_weight_n_m3: law.unit_weight, n0, n1, n2 }
-            }
-            PressureSinkage::Diameter(law) => LawBody::Diameter { k: law.k, m: law.m, n0, n1, n2 },
-        };
+        let pressure_sinkage = soil.pressure_sinkage.as_ref().map(LawBody::from);
         let (shear_modulus_m, shear) = match soil.shear {
-            ShearLaw::JanosiHanamoto(law) => (Some(law.modulus), None),
-            ShearLaw::WongResidual(law) => {
+            None => (None, None),
+            Some(ShearLaw::JanosiHanamoto(law)) => (Some(law.modulus), None),
+            Some(ShearLaw::WongResidual(law)) => {
                 let (residual_ratio, peak_displacement_m) = (law.residual_ratio, law.peak_displacement);
                 (None, Some(ShearBody::WongResidual { residual_ratio, peak_displacement_m }))
             }
-            ShearLaw::WongPeak(law) => (None, Some(ShearBody::WongPeak { peak_displacement_m: law.peak_displacement })),
+            Some(ShearLaw::WongPeak(law)) => (None, Some(ShearBody::WongPeak { peak_displacement_m: law.peak_displacement })),
         };
         let (cohesion_pa, friction_angle_rad) = (soil.cohesion, soil.friction_angle);
         let (lateral_shear_modulus_m, unit_weight_n_m3) = (soil.lateral_shear_modulus, soil.unit_weight);
@@ -140,7 +132,7 @@ impl From<&SoilParams> for SoilBody {
             cohesion_pa,
             friction_angle_rad,
             shear_modulus_m,
-            pressure_sinkage: Some(pressure_sinkage),
+            pressure_sinkage,
             shear,
             lateral_shear_modulus_m,
             unit_weight_n_m3,
@@ -148,10 +140,18 @@ impl From<&SoilParams> for SoilBody {
     }
 }
 
-impl SoilBody {
-    /// The soil as it is where its pressure–sinkage law is not known.
-    pub(super) fn without_law(self) -> Self {
-        Self { pressure_sinkage: None, ..self }
+impl From<&PressureSinkage> for LawBody {
+    fn from(law: &PressureSinkage) -> Self {
+        let exponent = law.exponent();
+        let (n0, n1, n2) = (exponent.base, exponent.slip_gain, exponent.skid_gain);
+        match law {
+            PressureSinkage::Bekker(law) => Self::Bekker { k_c: law.k_c, k_phi: law.k_phi, n0, n1, n2 },
+            PressureSinkage::Direct(law) => Self::Direct { k_s: law.k_s, n0, n1, n2 },
+            PressureSinkage::Reece(law) => {
+                Self::Reece { k_c: law.k_c, k_phi: law.k_phi, unit_weight_n_m3: law.unit_weight, n0, n1, n2 }
+            }
+            PressureSinkage::Diameter(law) => Self::Diameter { k: law.k, m: law.m, n0, n1, n2 },
+        }
     }
 }
 
@@ -160,7 +160,7 @@ impl From<&ContactParams> for ContactBody {
         let c3 = contact.exit_ratio;
         match contact.rule {
             PeakRule::Midpoint => Self::Midpoint { c3 },
-            PeakRule::WongReece { c1, c2 } => Self::WongReece { c1, c2, c3 },
+            PeakRule::WongReece(rule) => Self::WongReece { c1: rule.c1, c2: rule.c2, c3 },
             PeakRule::HalfSinkage => Self::HalfSinkage { c3 },
         }
     }

@@ -65,8 +65,9 @@ impl TryFrom<&ProfileCase> for ProfileReply {
         let rolling = operation.system.rolling(motion.slip)?;
         let (sinkage, solved) = operation.sinkage_of(&rolling)?;
         let patch = rolling.contact(sinkage)?;
-        let peak = patch.stresses(patch.angles.peak);
-        let profile = StressProfile::of(&patch, *points, *peak_depth);
+        let stresses = patch.stresses()?;
+        let peak = stresses.at(patch.angles.peak);
+        let profile = StressProfile::of(&stresses, *points, *peak_depth);
         let StressProfile { theta, depth, normal, shear, normal_linear, shear_linear } = profile;
         let parted = patch.has_two_zones();
         let finite = |columns: [&[f64]; 5]| columns.iter().all(|column| column.iter().all(|value| value.is_finite()));

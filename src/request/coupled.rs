@@ -4,6 +4,7 @@ use terramechanics::{Braking, Coupled, Motion, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Reader};
 
 use super::Request;
+use super::laws::field;
 use super::method::NORMAL_STRESS_RADIUS;
 use super::motion::{self, MOTION};
 use super::sinkage::{LOAD, SINKAGE_M, within_wheel};
@@ -11,11 +12,11 @@ use super::soil::Needs;
 use super::system::{self, SYSTEM};
 
 const SINKAGE: Field<Number> = Field { required: true, ..SINKAGE_M };
-const NORMAL_LOAD: Field<Number> = Field::required("normal_load_n", "Vertical load W on the wheel (N), as measured.", LOAD);
-const TORQUE: Field<Number> = Field::new(
-    "torque_n_m",
+const NORMAL_LOAD: Field<Number> =
+    Field::required(WheelOnSoil::NORMAL_LOAD.name, "Vertical load W on the wheel (N), as measured.", LOAD);
+const TORQUE: Field<Number> = field(
+    &WheelOnSoil::TORQUE,
     "Torque T about the axle (N·m), where it was measured, in the direction of the angular velocity; else it follows from the load.",
-    Number::new("N.m", -1e12, 1e12),
 );
 
 /// What is measured, checked.

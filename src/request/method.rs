@@ -3,6 +3,8 @@
 use terramechanics::{Braking, Contact, Error, Lambda, Method, NormalStressRadius, PeakDepth};
 use terramechanics_reading::{Alternative, Either, Field, Group, Number, OneOf, Reader, Word};
 
+use super::laws::number;
+
 /// A method without its constants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum MethodName {
@@ -38,16 +40,16 @@ pub(super) const BRAKING_FIELD: Field<Word<Braking>> = Field::new(
 );
 pub(super) const BRAKING_LAWS: Word<Braking> = Word::new(&[("one_zone", Braking::OneZone), ("two_zone", Braking::TwoZone)]);
 /// λ of the explicit method.
-pub(super) const LAMBDA: Number = Number::new("1", -1.0, 1.0);
+pub(super) const LAMBDA: Number = number(&Lambda::A);
 const LAMBDA_OR_EXACT: OneOf = OneOf {
-    default: Some(0.0),
+    default: Lambda::A.default(),
     ..OneOf::new(
         "a number or \"exact\"",
         &[Alternative::Number(LAMBDA), Alternative::Word("exact", "The value at which the approximation is exact.")],
     )
 };
-pub(super) const LAMBDA_A: Field<OneOf> = Field::new("lambda_a", "λ_A of A ≈ (1 − λ_A) √(z/2r) (–).", LAMBDA_OR_EXACT);
-pub(super) const LAMBDA_B: Field<OneOf> = Field::new("lambda_b", "λ_B of B ≈ (1 + λ_B) z/(2r) (–).", LAMBDA_OR_EXACT);
+pub(super) const LAMBDA_A: Field<OneOf> = Field::new(Lambda::A.name, "λ_A of A ≈ (1 − λ_A) √(z/2r) (–).", LAMBDA_OR_EXACT);
+pub(super) const LAMBDA_B: Field<OneOf> = Field::new(Lambda::B.name, "λ_B of B ≈ (1 + λ_B) z/(2r) (–).", LAMBDA_OR_EXACT);
 
 pub(super) const LAMBDAS: Group = &[&LAMBDA_A, &LAMBDA_B];
 pub(super) const METHOD: Group = &[&METHOD_FIELD];

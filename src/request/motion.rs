@@ -3,21 +3,20 @@
 use terramechanics::{Motion, Slip, Velocities, Wheel};
 use terramechanics_reading::{Field, Group, Number, Reader};
 
-/// A slip ratio.
-pub(super) const RATIO: Number = Number::new("1", -1.0, 1.0).share();
+use super::laws::{field, number};
 
-pub(super) const SLIP: Field<Number> =
-    Field::new("slip", "Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.", RATIO);
-const FORWARD_VELOCITY: Field<Number> = Field::new(
-    "forward_velocity_m_s",
-    "Forward velocity v of the axle (m/s); with angular_velocity_rad_s instead of slip.",
-    Number::new("m/s", -1e3, 1e3),
+/// A slip ratio.
+pub(super) const RATIO: Number = number(&Slip::RATIO).share();
+
+pub(super) const SLIP: Field<Number> = Field::new(
+    Slip::RATIO.name,
+    "Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.",
+    RATIO,
 );
-const ANGULAR_VELOCITY: Field<Number> = Field::new(
-    "angular_velocity_rad_s",
-    "Angular velocity ω of the wheel (rad/s), positive when it rolls forward.",
-    Number::new("rad/s", -1e4, 1e4),
-);
+const FORWARD_VELOCITY: Field<Number> =
+    field(&Velocities::FORWARD, "Forward velocity v of the axle (m/s); with angular_velocity_rad_s instead of slip.");
+const ANGULAR_VELOCITY: Field<Number> =
+    field(&Velocities::ANGULAR, "Angular velocity ω of the wheel (rad/s), positive when it rolls forward.");
 
 pub(super) const MOTION: Group = &[&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY];
 

@@ -1,7 +1,9 @@
 //! Refusals of the model as faults of the request.
 
-use terramechanics::{Error, Parameter, Sinkage};
-use terramechanics_reading::FieldFault;
+use terramechanics::{Error, Sinkage, SoilLaw, WheelOnSoil};
+use terramechanics_reading::{FieldFault, Figures};
+
+use super::laws::number;
 
 /// The field of a request to which a refusal of the model belongs.
 pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
@@ -22,13 +24,15 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         | Error::NotFreeRolling { .. } => "/normal_load_n",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
         Error::NotFinite => "",
-        Error::Invalid(fault) => match fault.parameter {
-            Parameter::Slip => "/slip",
-            Parameter::SlipAngle => "/slip_angle_rad",
-            Parameter::NormalLoad => "/normal_load_n",
-            Parameter::Torque => "/torque_n_m",
-            Parameter::LambdaA => "/lambda_a",
-            Parameter::LambdaB => "/lambda_b",
+        Error::MissingLaw(SoilLaw::PressureSinkage) => "/soil/pressure_sinkage",
+        Error::MissingLaw(SoilLaw::Shear) => "/soil/shear",
+        Error::Invalid(fault) => match fault.parameter.name {
+            "slip" => "/slip",
+            "slip_angle_rad" => "/slip_angle_rad",
+            "normal_load_n" => "/normal_load_n",
+            "torque_n_m" => "/torque_n_m",
+            "lambda_a" => "/lambda_a",
+            "lambda_b" => "/lambda_b",
             _ => "",
         },
     }
@@ -37,18 +41,17 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
 /// A refusal of the model as a fault of the request.
 pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
     let fault = FieldFault::new(error_pointer(error, sinkage), error);
-    match (error, sinkage) {
-        (Error::SinkageOutsideWheel { sinkage: value, radius }, way) => {
-            let figures = FieldFault { value: Some(*value), maximum: Some(*radius), unit: Some("m"), ..fault };
-            match way {
+    match error {
+        Error::SinkageOutsideWheel { sinkage: value, radius } => {
+            let figures = Figures { maximum: Some(*radius), ..number(&WheelOnSoil::SINKAGE).figures(*value) };
+            let detail = match sinkage {
                 // The sinkage that was refused is not the number that was sent.
-                Sinkage::FromStatic { .. } => {
-                    let detail = format!("by the slip–sinkage law at this slip, {}", figures.detail);
-                    FieldFault { detail, ..figures }
-                }
-                _ => figures,
-            }
+                Sinkage::FromStatic { .. } => format!("by the slip–sinkage law at this slip, {}", fault.detail),
+                _ => fault.detail,
+            };
+            FieldFault { detail, ..fault }.with(figures)
         }
+        Error::Invalid(refused) => fault.with(number(refused.parameter).figures(refused.value)),
         _ => fault,
     }
 }

@@ -9,7 +9,7 @@ use super::sinkage::LOAD;
 use super::soil::{self, Needs};
 use super::system::{self, SOIL, WHEEL};
 
-const NORMAL_LOAD: Field<Number> = Field::required("normal_load_n", "Vertical load W on the wheel (N).", LOAD);
+const NORMAL_LOAD: Field<Number> = Field::required(WheelOnSoil::NORMAL_LOAD.name, "Vertical load W on the wheel (N).", LOAD);
 const SLIP: Field<Number> = Field::new("slip", "Slip ratio s (–), for the thrust alone, which needs one greater than 0.", RATIO);
 
 /// A wheel under a load, checked.

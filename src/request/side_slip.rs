@@ -3,10 +3,11 @@
 use terramechanics::{Bulldozing, Method, ShearCoupling, SideSlip, SlipAngle};
 use terramechanics_reading::{Field, Group, Number, Reader, Word};
 
-const SLIP_ANGLE: Field<Number> = Field::new(
-    "slip_angle_rad",
+use super::laws::field;
+
+const SLIP_ANGLE: Field<Number> = field(
+    &SlipAngle::ANGLE,
     "Slip angle β (rad) from the velocity to the heading, positive where the wheel moves to its right; quadrature only. Straight ahead unless sent; where it is, the answer has the lateral force and its moments.",
-    Number::new("rad", -SlipAngle::LARGEST, SlipAngle::LARGEST),
 );
 const SHEAR_COUPLING: Field<Word<ShearCoupling>> = Field::new(
     "shear_coupling",

@@ -1,28 +1,27 @@
 //! The sinkage of a request: as it is, from a static one, or under a load.
 
-use terramechanics::{Sinkage, SlipSinkage, Wheel};
-use terramechanics_reading::{Field, FieldFault, Group, Number, Reader, Tagged, in_millimetres};
+use terramechanics::{Sinkage, SlipSinkage, Wheel, WheelOnSoil};
+use terramechanics_reading::{Field, Figures, Group, Number, Reader, Tagged, in_millimetres};
 
-use super::laws::{self, Law};
+use super::laws::{self, field, number};
 
-const DEPTH: Number = Number::new("m", 1e-9, 100.0);
 /// A load on a wheel.
-pub(super) const LOAD: Number = Number::new("N", 1e-9, 1e12);
+pub(super) const LOAD: Number = number(&WheelOnSoil::NORMAL_LOAD);
 
-pub(super) const SINKAGE_M: Field<Number> = Field::new("sinkage_m", "Sinkage z (m), at most the wheel's radius.", DEPTH);
+pub(super) const SINKAGE_M: Field<Number> = field(&WheelOnSoil::SINKAGE, "Sinkage z (m), at most the wheel's radius.");
 pub(super) const STATIC_SINKAGE: Field<Number> =
-    Field::new("static_sinkage_m", "Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.", DEPTH);
+    field(&WheelOnSoil::STATIC_SINKAGE, "Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.");
 pub(super) const SLIP_SINKAGE: Field<&Tagged> =
-    Field::new("slip_sinkage", "Slip–sinkage law beside static_sinkage_m; lyasko unless given.", &laws::SLIP_SINKAGE_OBJECT);
+    Field::new("slip_sinkage", "Slip–sinkage law beside static_sinkage_m; lyasko unless given.", &laws::SLIP_SINKAGE);
 pub(super) const NORMAL_LOAD: Field<Number> =
-    Field::new("normal_load_n", "Vertical load W (N); the sinkage is solved so that F_z = W.", LOAD);
+    field(&WheelOnSoil::NORMAL_LOAD, "Vertical load W (N); the sinkage is solved so that F_z = W.");
 
 pub(super) const SINKAGE: Group = &[&SINKAGE_M, &STATIC_SINKAGE, &SLIP_SINKAGE, &NORMAL_LOAD];
 
 /// The slip–sinkage law; Lyasko's where none was sent.
 pub(super) fn law(object: &Reader<'_>) -> Option<SlipSinkage> {
     match object.optional(&SLIP_SINKAGE)? {
-        Some(chosen) => Law::chosen(laws::SLIP_SINKAGE, &chosen),
+        Some(chosen) => laws::slip_sinkage(&chosen),
         None => Some(SlipSinkage::Lyasko),
     }
 }
@@ -66,7 +65,7 @@ pub(super) fn within_wheel(object: &Reader<'_>, sinkage: f64, wheel: Option<&Whe
         Some(radius) if sinkage > radius => {
             let meant = if sinkage >= 1.0 && sinkage / 1000.0 <= radius { in_millimetres(sinkage) } else { String::new() };
             let error = terramechanics::Error::SinkageOutsideWheel { sinkage, radius };
-            let figures = FieldFault { maximum: Some(radius), ..DEPTH.figures(sinkage) };
+            let figures = Figures { maximum: Some(radius), ..SINKAGE_M.kind.figures(sinkage) };
             object.place_of(&SINKAGE_M).report(figures, format_args!("{error}{meant}"));
             None
         }

@@ -1,39 +1,33 @@
 //! The soil of a request.
 
-use std::f64::consts::FRAC_PI_2;
-
-use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams};
+use terramechanics::{
+    Bekker, Contact, Declared, Direct, JanosiHanamoto, Parametrised, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams,
+};
 use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 
-use super::laws::{self, Law};
+use super::laws::{self, field};
 use super::preset::Preset;
 use super::{Described, Shape};
 use crate::catalogue::{self, SoilRecord};
 
 const PRESET: Field<Lookup<&'static SoilRecord>> =
     Field::new("preset", "A soil of the catalogue, see /v1/soils.", Lookup { words: catalogue::soil_ids, find: catalogue::soil });
-pub(super) const COHESION: Field<Number> = Field::new("cohesion_pa", "Cohesion c (Pa).", Number::new("Pa", 0.0, 1e8));
-pub(super) const FRICTION_ANGLE: Field<Number> =
-    Field::new("friction_angle_rad", "Internal friction angle φ (rad).", Number::new("rad", 0.0, FRAC_PI_2).open_above());
-pub(super) const SHEAR_MODULUS: Field<Number> = Field::new(
-    "shear_modulus_m",
-    "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.",
-    Number::new("m", 1e-6, 10.0),
-);
+pub(super) const COHESION: Field<Number> = field(&Soil::COHESION, "Cohesion c (Pa).");
+pub(super) const FRICTION_ANGLE: Field<Number> = field(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).");
+pub(super) const SHEAR_MODULUS: Field<Number> =
+    field(&JanosiHanamoto::MODULUS, "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.");
 const PRESSURE_SINKAGE: Field<&Tagged> =
-    Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE_OBJECT);
-const LATERAL_SHEAR_MODULUS: Field<Number> = Field::new(
-    "lateral_shear_modulus_m",
+    Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
+const LATERAL_SHEAR_MODULUS: Field<Number> = field(
+    &Soil::LATERAL_SHEAR_MODULUS,
     "Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.",
-    Number::new("m", 1e-6, 10.0),
 );
-const UNIT_WEIGHT: Field<Number> = Field::new(
-    "unit_weight_n_m3",
+const UNIT_WEIGHT: Field<Number> = field(
+    &Soil::UNIT_WEIGHT,
     "Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.",
-    Number::new("N/m3", 1.0, 1e6),
 );
 pub(super) const SHEAR: Field<&Tagged> =
-    Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR_OBJECT);
+    Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
 pub(super) const VARIED_SHEAR: Field<&Tagged> = Field { meaning: "Shear law, for that of the soil.", ..SHEAR };
 pub(super) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
@@ -96,11 +90,6 @@ pub(super) struct FoundSoil {
     pub(super) law: LawOrigin,
 }
 
-/// The model has no soil without laws; these stand in where a law has no influence.
-const NO_PRESSURE_SINKAGE: PressureSinkage =
-    PressureSinkage::Direct(Direct { k_s: 1e6, exponent: SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None } });
-const NO_SHEAR: ShearLaw = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.01 });
-
 /// The soil, from the request and the preset it names.
 pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let preset = Preset::read(object, &PRESET);
@@ -110,7 +99,7 @@ pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let shear = shear(object, &preset, needs);
     let lateral_shear_modulus = preset.optional(object, &LATERAL_SHEAR_MODULUS).map(|own| {
         // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
-        let beside_another_law = || match shear {
+        let beside_another_law = || match shear.flatten() {
             Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => preset.optional(object, &SHEAR_MODULUS).flatten(),
             Some(ShearLaw::JanosiHanamoto(_)) | None => None,
         };
@@ -137,41 +126,45 @@ pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })
 }
 
-/// The shear law; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
-fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> Option<ShearLaw> {
+/// The shear law, if there is one; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
+fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> Option<Option<ShearLaw>> {
     let chosen = match object.optional(&SHEAR)? {
-        Some(chosen) => Law::chosen(laws::SHEAR, &chosen)?,
+        Some(chosen) => laws::shear(&chosen)?,
         None => preset.entry.and_then(SoilRecord::shear),
     };
     if let Some(law) = chosen {
-        return object.optional(&SHEAR_MODULUS).map(|_| law);
+        return object.optional(&SHEAR_MODULUS).map(|_| Some(law));
     }
     let modulus = preset.optional(object, &SHEAR_MODULUS)?;
     if modulus.is_none() && !needs.shear && !object.has(&SHEAR) {
-        return Some(NO_SHEAR);
+        return Some(None);
     }
     let modulus = modulus.or_else(|| (needs.fitted)(SHEAR_MODULUS.name));
     if modulus.is_none() {
         preset.missing(object, &SHEAR_MODULUS);
     }
-    modulus.map(|modulus| ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus }))
+    modulus.map(|modulus| Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })))
 }
 
 /// The pressure–sinkage law: that of the request, else that of the preset, else the one whose moduli are fitted.
-fn pressure_sinkage(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> Option<(PressureSinkage, LawOrigin)> {
+fn pressure_sinkage(
+    object: &Reader<'_>,
+    preset: &Preset<SoilRecord>,
+    needs: Needs<'_>,
+) -> Option<(Option<PressureSinkage>, LawOrigin)> {
     if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, needs.fitted)? {
-        return Law::chosen(laws::PRESSURE_SINKAGE, &chosen).map(|law| (law, LawOrigin::Request));
+        return laws::pressure_sinkage(&chosen).map(|law| (Some(law), LawOrigin::Request));
     }
     let published = preset.entry.and_then(SoilRecord::pressure_sinkage);
     // A soil has one sinkage modulus: where it is fitted, that of another law has no place.
-    let replaces = (needs.fitted)(laws::K_S.name).is_some() && !matches!(published, None | Some(PressureSinkage::Direct(_)));
+    let replaces = (needs.fitted)(Direct::K_S.name).is_some() && !matches!(published, None | Some(PressureSinkage::Direct(_)));
     let of_fitted = || of_fitted(preset.entry, needs.fitted);
     match published {
-        Some(law) if !replaces => Some((law, LawOrigin::Catalogue)),
-        Some(_) => of_fitted().map(|law| (law, LawOrigin::Replaced)),
+        Some(law) if !replaces => Some((Some(law), LawOrigin::Catalogue)),
+        Some(_) => of_fitted().map(|law| (Some(law), LawOrigin::Replaced)),
         None => match of_fitted() {
-            Some(law) => Some((law, LawOrigin::Request)),
-            None if !needs.pressure_sinkage => Some((NO_PRESSURE_SINKAGE, LawOrigin::Absent)),
+            Some(law) => Some((Some(law), LawOrigin::Request)),
+            None if !needs.pressure_sinkage => Some((None, LawOrigin::Absent)),
             None => {
                 missing_law(object, preset);
                 None
@@ -182,12 +175,13 @@ fn pressure_sinkage(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Nee
 
 /// The law of which all moduli are fitted, with the exponents of the preset; none where the moduli or n0 would be lacking.
 fn of_fitted(preset: Option<&SoilRecord>, fitted: &dyn Fn(&str) -> Option<f64>) -> Option<PressureSinkage> {
-    let name = if fitted(laws::K_S.name).is_some() { "direct" } else { "bekker" };
-    let law = Law::named(laws::PRESSURE_SINKAGE, name)?;
-    law.from_named(|name| match name {
-        "n0" | "n1" | "n2" => preset.and_then(|record| record.number(name)).or_else(|| fitted(name)),
-        modulus => fitted(modulus),
-    })
+    let name = if fitted(Direct::K_S.name).is_some() { Direct::NAME } else { Bekker::NAME };
+    let is_exponent = |name: &str| SinkageExponent::PARAMETERS.iter().any(|parameter| parameter.name == name);
+    let value = |name: &str| {
+        let published = preset.filter(|_| is_exponent(name)).and_then(|record| record.number(name));
+        published.or_else(|| fitted(name))
+    };
+    PressureSinkage::named(name)?.from_named(value).ok()
 }
 
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.

@@ -3,7 +3,7 @@
 use terramechanics::{Braking, Contact, Wheel, WheelOnSoil};
 use terramechanics_reading::{Field, Group, Object, Reader, Tagged};
 
-use super::laws::{self, Law};
+use super::laws;
 use super::soil::{self, FoundSoil, Needs};
 use super::{Described, Shape, wheel};
 
@@ -12,13 +12,13 @@ pub(super) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &so
 pub(super) const CONTACT: Field<&Tagged> = Field::new(
     "contact",
     "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.",
-    &laws::CONTACT_OBJECT,
+    &laws::CONTACT,
 );
 
 pub(super) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT];
 
 impl Described for Contact {
-    const SHAPE: Shape = Shape::Tagged(&laws::CONTACT_OBJECT);
+    const SHAPE: Shape = Shape::Tagged(&laws::CONTACT);
 }
 
 /// The parts of a system as far as they could be read.
@@ -62,6 +62,6 @@ pub(super) fn read_contact(object: &Reader<'_>, soil: Option<&FoundSoil>, needs:
     let Some(chosen) = object.chosen(&CONTACT, needs.fitted)? else {
         return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT));
     };
-    let params = Law::chosen(laws::RULES, &chosen)?;
+    let params = laws::contact(&chosen)?;
     Contact::new(params).map_err(|invalid| object.place_of(&CONTACT).fault(invalid)).ok()
 }

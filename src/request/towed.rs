@@ -1,6 +1,6 @@
 //! The request of `/v1/towed`.
 
-use terramechanics::{Braking, ForceModel, Method, Operation, Sinkage};
+use terramechanics::{Braking, ForceModel, Method, Operation, Sinkage, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Reader, Word};
 
 use super::Request;
@@ -9,7 +9,8 @@ use super::sinkage::LOAD;
 use super::soil::Needs;
 use super::system::{self, SYSTEM};
 
-const NORMAL_LOAD: Field<Number> = Field::required("normal_load_n", "Vertical load W (N) that the wheel carries.", LOAD);
+const NORMAL_LOAD: Field<Number> =
+    Field::required(WheelOnSoil::NORMAL_LOAD.name, "Vertical load W (N) that the wheel carries.", LOAD);
 const BRAKING: Field<Word<Braking>> = Field::new(
     BRAKING_FIELD.name,
     "Law for the towed wheel. two_zone: Wong & Reece's, whose shear reverses at the peak of the stresses; one_zone: the displacement of a driving wheel continued.",

@@ -3,6 +3,7 @@
 use terramechanics::{Wheel, WheelParams};
 use terramechanics_reading::{Field, Lookup, Number, Object, Reader};
 
+use super::laws::field;
 use super::preset::Preset;
 use super::{Described, Shape};
 use crate::catalogue::{self, WheelRecord};
@@ -12,14 +13,12 @@ const PRESET: Field<Lookup<&'static WheelRecord>> = Field::new(
     "A wheel of the catalogue, see /v1/wheels.",
     Lookup { words: catalogue::wheel_ids, find: catalogue::wheel },
 );
-const RADIUS: Field<Number> = Field::new("radius_m", "Rim radius r (m).", Number::new("m", 1e-3, 100.0));
-const WIDTH: Field<Number> = Field::new("width_m", "Width b (m).", Number::new("m", 1e-3, 100.0));
-const LUG_HEIGHT: Field<Number> =
-    Field::new("lug_height_m", "Lug height h (m); 0 unless given or in the catalogue.", Number::new("m", 0.0, 10.0));
-const LUG_COEFFICIENT: Field<Number> = Field::new(
-    "lug_coefficient",
+const RADIUS: Field<Number> = field(&Wheel::RADIUS, "Rim radius r (m).");
+const WIDTH: Field<Number> = field(&Wheel::WIDTH, "Width b (m).");
+const LUG_HEIGHT: Field<Number> = field(&Wheel::LUG_HEIGHT, "Lug height h (m); 0 unless given or in the catalogue.");
+const LUG_COEFFICIENT: Field<Number> = field(
+    &Wheel::LUG_COEFFICIENT,
     "Lug coefficient λ_s [–]: the shear stress acts at r + λ_s h; 0.5 unless given or in the catalogue.",
-    Number::new("1", 0.0, 1.0),
 );
 
 pub(super) const WHEEL: Object = Object {
@@ -37,8 +36,8 @@ pub(super) fn read(object: &Reader<'_>) -> Option<Wheel> {
     let preset = Preset::read(object, &PRESET);
     let radius = preset.value(object, &RADIUS, None);
     let width = preset.value(object, &WIDTH, None);
-    let lug_height = preset.value(object, &LUG_HEIGHT, Some(0.0));
-    let lug_coefficient = preset.value(object, &LUG_COEFFICIENT, Some(Wheel::TYPICAL_LUG_COEFFICIENT));
+    let lug_height = preset.value(object, &LUG_HEIGHT, Wheel::LUG_HEIGHT.default());
+    let lug_coefficient = preset.value(object, &LUG_COEFFICIENT, Wheel::LUG_COEFFICIENT.default());
     let params = WheelParams { radius: radius?, width: width?, lug_height: lug_height?, lug_coefficient: lug_coefficient? };
     if !preset.is_sound {
         return None;

@@ -9,7 +9,7 @@ fn number(value: &Value, name: &str) -> f64 {
 }
 
 /// Sixty random cases at thirty digits, by an implementation independent of this one: see the fixture's README.
-const REFERENCE_CASES: &str = include_str!("../../crates/terramechanics/tests/fixtures/reference_cases.json");
+const REFERENCE_CASES: &str = include_str!("../../crates/terramechanics/tests/reference/reference_cases.json");
 
 #[test]
 fn sixty_reference_cases_come_back_over_http() {

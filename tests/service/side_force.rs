@@ -6,7 +6,7 @@ use crate::asking::{Answer, letter, post, post_for_csv, table, with};
 use crate::contract::has_shape;
 use crate::documents::document;
 
-/// Eighteen cases at sixty digits, by an implementation independent of this one: see the README of the crate's fixtures.
+/// Eighteen cases at sixty digits, by an implementation independent of this one: see the README of the crate's reference values.
 const CASES: &str = include_str!("../../crates/terramechanics/tests/reference/side_force_cases.json");
 /// What the quadrature promises.
 const QUADRATURE: f64 = 1e-10;

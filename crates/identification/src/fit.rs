@@ -104,8 +104,8 @@ const SAME_COST: f64 = 1e-6;
 ///     soil: SoilParams {
 ///         cohesion: 0.0,
 ///         friction_angle: 0.6,
-///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 }),
-///         pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 747_530.0, exponent }),
+///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
+///         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 747_530.0, exponent })),
 ///         unit_weight: None,
 ///         lateral_shear_modulus: None,
 ///     },

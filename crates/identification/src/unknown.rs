@@ -211,27 +211,27 @@ impl Unknown {
             PressureSinkage::Reece(law) => &mut law.exponent,
             PressureSinkage::Diameter(law) => &mut law.exponent,
         };
-        let law = &mut soil.pressure_sinkage;
+        let law = soil.pressure_sinkage.as_mut();
         match (self, law) {
             (Self::Cohesion, _) => Some(&mut soil.cohesion),
             (Self::FrictionAngle, _) => Some(&mut soil.friction_angle),
             (Self::ShearModulus, _) => match &mut soil.shear {
-                ShearLaw::JanosiHanamoto(law) => Some(&mut law.modulus),
-                ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_) => None,
+                Some(ShearLaw::JanosiHanamoto(law)) => Some(&mut law.modulus),
+                Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) | None => None,
             },
-            (Self::SinkageModulus, PressureSinkage::Direct(law)) => Some(&mut law.k_s),
-            (Self::CohesiveModulus, PressureSinkage::Bekker(law)) => Some(&mut law.k_c),
-            (Self::CohesiveModulus, PressureSinkage::Reece(law)) => Some(&mut law.k_c),
-            (Self::FrictionalModulus, PressureSinkage::Bekker(law)) => Some(&mut law.k_phi),
-            (Self::FrictionalModulus, PressureSinkage::Reece(law)) => Some(&mut law.k_phi),
-            (Self::BaseExponent, law) => Some(&mut exponent(law).base),
-            (Self::SlipGain, law) => Some(&mut exponent(law).slip_gain),
+            (Self::SinkageModulus, Some(PressureSinkage::Direct(law))) => Some(&mut law.k_s),
+            (Self::CohesiveModulus, Some(PressureSinkage::Bekker(law))) => Some(&mut law.k_c),
+            (Self::CohesiveModulus, Some(PressureSinkage::Reece(law))) => Some(&mut law.k_c),
+            (Self::FrictionalModulus, Some(PressureSinkage::Bekker(law))) => Some(&mut law.k_phi),
+            (Self::FrictionalModulus, Some(PressureSinkage::Reece(law))) => Some(&mut law.k_phi),
+            (Self::BaseExponent, Some(law)) => Some(&mut exponent(law).base),
+            (Self::SlipGain, Some(law)) => Some(&mut exponent(law).slip_gain),
             (Self::PeakIntercept, _) => match &mut contact.rule {
-                PeakRule::WongReece { c1, .. } => Some(c1),
+                PeakRule::WongReece(rule) => Some(&mut rule.c1),
                 PeakRule::Midpoint | PeakRule::HalfSinkage => None,
             },
             (Self::PeakSlipGain, _) => match &mut contact.rule {
-                PeakRule::WongReece { c2, .. } => Some(c2),
+                PeakRule::WongReece(rule) => Some(&mut rule.c2),
                 PeakRule::Midpoint | PeakRule::HalfSinkage => None,
             },
             (Self::LambdaA, _) => match method {

@@ -92,9 +92,9 @@ fn fewer_measurements_than_unknowns() {
 #[test]
 fn both_of_bekkers_moduli_on_one_wheel() {
     let mut truth = truth(Method::LINEARISED, SinkageSource::Measured);
-    let exponent = truth.soil.pressure_sinkage.exponent();
+    let exponent = truth.soil.pressure_sinkage.expect("a law").exponent();
     truth.soil.pressure_sinkage =
-        terramechanics::PressureSinkage::Bekker(terramechanics::Bekker { k_c: 5e3, k_phi: 8e5, exponent });
+        Some(terramechanics::PressureSinkage::Bekker(terramechanics::Bekker { k_c: 5e3, k_phi: 8e5, exponent }));
     let moduli = sought(&truth, &[(Unknown::CohesiveModulus, 0.0), (Unknown::FrictionalModulus, 5e5)]);
     let found = fitted(&truth, &measured(&truth, &programme(30)), &moduli);
     assert_eq!(finding(&found, Unknown::CohesiveModulus), &Identifiability::Inseparable(vec![Unknown::FrictionalModulus]));
@@ -108,7 +108,7 @@ fn both_of_bekkers_moduli_on_one_wheel() {
 fn a_parameter_that_the_data_do_not_know() {
     // At full slip of a firmly sheared contact E is 1 all along, whatever K.
     let mut truth = truth(Method::EXPLICIT, SinkageSource::Measured);
-    truth.soil.shear = terramechanics::ShearLaw::JanosiHanamoto(terramechanics::JanosiHanamoto { modulus: 2e-5 });
+    truth.soil.shear = Some(terramechanics::ShearLaw::JanosiHanamoto(terramechanics::JanosiHanamoto { modulus: 2e-5 }));
     let full: Vec<(f64, f64)> = programme(10).into_iter().map(|(_, sinkage)| (1.0, sinkage)).collect();
     let start = sought(&truth, &[(Unknown::ShearModulus, 2e-5)]);
     let found = fitted(&truth, &measured(&truth, &full), &start);

@@ -6,7 +6,7 @@ use common::{Noise, slip};
 use serde_json::Value;
 use terramechanics::{
     Contact, ContactParams, Direct, JanosiHanamoto, NormalStressRadius, PeakRule, PressureSinkage, ShapeIntegrals, ShearLaw,
-    SinkageExponent, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams,
+    SinkageExponent, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongReece,
 };
 use terramechanics_identification::{RollingSample, RunningStrength};
 
@@ -22,8 +22,8 @@ fn lugged(modulus: f64, contact: ContactParams) -> WheelOnSoil {
     let soil = SoilParams {
         cohesion: 1.0,
         friction_angle: 0.3,
-        shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus }),
-        pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e6, exponent }),
+        shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
+        pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e6, exponent })),
         unit_weight: None,
         lateral_shear_modulus: None,
     };
@@ -42,7 +42,7 @@ fn number(value: &Value, name: &str) -> f64 {
 fn estimate_and_covariance_are_those_of_dense_matrices() {
     let reference: Value = serde_json::from_str(REFERENCE).expect("JSON");
     let contact = &reference["contact"];
-    let rule = PeakRule::WongReece { c1: number(contact, "c1"), c2: number(contact, "c2") };
+    let rule = PeakRule::WongReece(WongReece { c1: number(contact, "c1"), c2: number(contact, "c2") });
     let system = lugged(number(&reference, "shear_modulus_m"), ContactParams { rule, exit_ratio: number(contact, "c3") });
     let mut compared = 0;
     for case in reference["cases"].as_array().expect("cases") {

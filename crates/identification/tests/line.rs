@@ -103,7 +103,7 @@ fn the_law_cancels() {
     let setup = setup(Method::Quadrature);
     let observations = measured(&setup, &programme(12));
     let mut soft = setup;
-    if let PressureSinkage::Direct(law) = &mut soft.soil.pressure_sinkage {
+    if let Some(PressureSinkage::Direct(law)) = &mut soft.soil.pressure_sinkage {
         law.k_s = 1e4;
     }
     let (found, other) = (line(&setup, &observations), line(&soft, &observations));

@@ -24,8 +24,8 @@ fn with_strength(radius: f64, width: f64, modulus: f64, cohesion: f64, friction_
     let soil = SoilParams {
         cohesion,
         friction_angle,
-        shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus }),
-        pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e4, exponent }),
+        shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
+        pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e4, exponent })),
         unit_weight: None,
         lateral_shear_modulus: None,
     };

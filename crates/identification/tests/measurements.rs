@@ -5,7 +5,7 @@ mod common;
 use common::{column, slip, sought};
 use terramechanics::{
     Bekker, ContactParams, Direct, ForceModel, JanosiHanamoto, Method, PeakRule, PressureSinkage, ShearLaw, SinkageExponent,
-    SoilParams, Wheel, WheelParams,
+    SoilParams, Wheel, WheelParams, WongReece,
 };
 use terramechanics_identification::{
     DesignGap, Fit, FitOptions, Identifiability, Observations, Quantity, Setup, SinkageSource, Unknown, fit,
@@ -47,8 +47,8 @@ fn ding(lug_height: f64) -> Setup {
         soil: SoilParams {
             cohesion: 250.0,
             friction_angle: 31.9_f64.to_radians(),
-            shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.011 }),
-            pressure_sinkage: PressureSinkage::Bekker(Bekker { k_c: 15_600.0, k_phi: 2_407_400.0, exponent }),
+            shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.011 })),
+            pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: 15_600.0, k_phi: 2_407_400.0, exponent })),
             unit_weight: None,
             lateral_shear_modulus: None,
         },
@@ -100,8 +100,8 @@ fn the_slip_gain_of_the_exponent_on_hit_lss1() {
 fn a_test_under_one_load_does_not_give_the_soil_away() {
     for (lugs, rows, normal) in [(0.0, DING_SMOOTH, 2.60), (0.01, DING_LUGS, 5.99)] {
         let mut setup = ding(lugs);
-        let exponent = setup.soil.pressure_sinkage.exponent();
-        setup.soil.pressure_sinkage = PressureSinkage::Direct(Direct { k_s: 2.5e6, exponent });
+        let exponent = setup.soil.pressure_sinkage.expect("a law").exponent();
+        setup.soil.pressure_sinkage = Some(PressureSinkage::Direct(Direct { k_s: 2.5e6, exponent }));
         let starts = [
             (Unknown::FrictionAngle, 0.5568),
             (Unknown::ShearModulus, 0.011),
@@ -133,9 +133,9 @@ fn a_few_means_of_a_small_wheel_leave_the_soil_open() {
     let wheel = WheelParams { radius: 0.058, width: 0.05, lug_height: 0.005, lug_coefficient: 1.0 };
     let setup = Setup {
         wheel: Wheel::new(wheel).expect("a wheel"),
-        soil: SoilParams { pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e6, exponent }), ..ding(0.0).soil },
+        soil: SoilParams { pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e6, exponent })), ..ding(0.0).soil },
         // The authors' own c1 and c2 for driving straight ahead.
-        contact: ContactParams { rule: PeakRule::WongReece { c1: 0.273, c2: 0.673 }, exit_ratio: 0.0 },
+        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.273, c2: 0.673 }), exit_ratio: 0.0 },
         ..ding(0.0)
     };
     let observations = Observations {

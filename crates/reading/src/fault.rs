@@ -1,22 +1,31 @@
 //! Faults of a request, collected with where they are.
 
+use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::fmt::Display;
 
 use serde::Serialize;
-use utoipa::ToSchema;
+use utoipa::openapi::schema::{ObjectBuilder, Type};
+use utoipa::openapi::{RefOr, Schema};
+use utoipa::{PartialSchema, ToSchema};
 
 use crate::hints::Hints;
 
 /// One thing wrong with a request.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, ToSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FieldFault {
     /// JSON pointer (RFC 6901) to the field at fault; empty for the request as a whole.
-    #[schema(example = "/soil/cohesion_pa")]
     pub pointer: String,
     /// What is wrong with it.
-    #[schema(example = "must be from 0 to 1e8, not -5")]
     pub detail: String,
+    /// The number that was refused and those that are taken, where they are known; they stand beside the others.
+    #[serde(flatten)]
+    pub figures: Option<Box<Figures>>,
+}
+
+/// The number that was refused, and those that are taken.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, ToSchema)]
+pub struct Figures {
     /// The number that was refused; of a list, how many items it has.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = -5)]
@@ -36,14 +45,44 @@ pub struct FieldFault {
     /// Unit of these numbers as a UCUM code; `1` for numbers without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "Pa")]
-    pub unit: Option<&'static str>,
+    pub unit: Option<Cow<'static, str>>,
 }
+
+impl PartialSchema for FieldFault {
+    fn schema() -> RefOr<Schema> {
+        let text = |meaning: &str, example: &str| {
+            ObjectBuilder::new().schema_type(Type::String).description(Some(meaning)).examples([example])
+        };
+        let pointer = "JSON pointer (RFC 6901) to the field at fault; empty for the request as a whole.";
+        let fault = ObjectBuilder::new()
+            .description(Some("One thing wrong with a request."))
+            .property("pointer", text(pointer, "/soil/cohesion_pa"))
+            .required("pointer")
+            .property("detail", text("What is wrong with it.", "must be from 0 to 1e8, not -5"))
+            .required("detail");
+        let mut fault = fault.build();
+        if let RefOr::T(Schema::Object(figures)) = Figures::schema() {
+            fault.properties.extend(figures.properties);
+        }
+        fault.into()
+    }
+}
+
+impl ToSchema for FieldFault {}
 
 impl FieldFault {
     /// A fault without numbers.
     #[must_use]
     pub fn new(pointer: impl Into<String>, detail: impl Display) -> Self {
-        Self { pointer: pointer.into(), detail: detail.to_string(), ..Self::default() }
+        Self { pointer: pointer.into(), detail: detail.to_string(), figures: None }
+    }
+
+    /// The fault with its numbers.
+    #[must_use]
+    pub fn with(self, figures: Figures) -> Self {
+        // JSON has no infinity, which a query can send.
+        let value = figures.value.filter(|value| value.is_finite());
+        Self { figures: Some(Box::new(Figures { value, ..figures })), ..self }
     }
 }
 
@@ -116,17 +155,12 @@ impl<'a> Scope<'a> {
 
     /// Reports a fault of this place.
     pub fn fault(&self, detail: impl Display) {
-        self.report(FieldFault::default(), detail);
+        self.faults.push(|| FieldFault::new(self.pointer(), detail));
     }
 
-    /// Reports a fault of this place with the numbers that `figures` has.
-    pub fn report(&self, figures: FieldFault, detail: impl Display) {
-        self.faults.push(|| FieldFault {
-            pointer: self.pointer() + &figures.pointer,
-            detail: detail.to_string(),
-            value: figures.value.filter(|value| value.is_finite()),
-            ..figures
-        });
+    /// Reports a fault of this place with its numbers.
+    pub fn report(&self, figures: Figures, detail: impl Display) {
+        self.faults.push(|| FieldFault::new(self.pointer(), detail).with(figures));
     }
 
     /// Reports a fault of a field whose name came from the client.
@@ -187,7 +221,8 @@ mod tests {
 
     #[test]
     fn numbers_are_written_where_they_are_known() {
-        let fault = FieldFault { value: Some(-5.0), minimum: Some(0.0), unit: Some("Pa"), ..FieldFault::new("/a", "wrong") };
+        let figures = Figures { value: Some(-5.0), minimum: Some(0.0), unit: Some("Pa".into()), ..Figures::default() };
+        let fault = FieldFault::new("/a", "wrong").with(figures);
         let text = serde_json::to_string(&fault).expect("JSON");
         assert_eq!(text, r#"{"pointer":"/a","detail":"wrong","value":-5.0,"minimum":0.0,"unit":"Pa"}"#);
         assert_eq!(serde_json::to_string(&FieldFault::new("", "x")).expect("JSON"), r#"{"pointer":"","detail":"x"}"#);

@@ -46,7 +46,7 @@ mod syntax;
 mod tagged;
 mod word;
 
-pub use fault::{Faults, FieldFault, Scope};
+pub use fault::{Faults, FieldFault, Figures, Scope};
 pub use field::{Components, Declared, Field, Group, Kind, group};
 pub use hints::{Hints, OtherUnit, shortened, unknown_word};
 pub use json::{MOST_NODES, Unread, json};

@@ -4,7 +4,7 @@ use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::ArrayBuilder;
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::fault::{FieldFault, Scope};
+use crate::fault::{Figures, Scope};
 use crate::field::{Components, Kind, wrong_type};
 use crate::node::{Item, List, Node};
 use crate::number::Number;
@@ -18,7 +18,7 @@ const MOST_FAULTS: usize = 10;
 /// Reports a list of too few or too many items.
 fn wrong_length<T>(place: &Scope<'_>, found: usize, (fewest, most): (usize, usize), detail: String) -> Option<T> {
     let count = |count: usize| Some(count as f64);
-    let figures = FieldFault { value: count(found), minimum: count(fewest), maximum: count(most), ..FieldFault::default() };
+    let figures = Figures { value: count(found), minimum: count(fewest), maximum: count(most), ..Figures::default() };
     place.report(figures, detail);
     None
 }

@@ -1,12 +1,13 @@
 //! Numbers with a unit and bounds.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use utoipa::openapi::extensions::Extensions;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, SchemaType, Type};
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::fault::{FieldFault, Scope};
+use crate::fault::{Figures, Scope};
 use crate::field::{Kind, wrong_type};
 use crate::node::Node;
 use crate::reader::Defaulting;
@@ -25,7 +26,8 @@ pub struct Number {
 }
 
 impl Number {
-    /// A number from `min` to `max` in a unit, which is a UCUM code: `m`, `Pa`, `1`.
+    /// A number from `min` to `max` in a unit, which is a UCUM code: `m`, `Pa`, `1`. UCUM has no powers that vary; a unit that has
+    /// one, such as `N/m^(n+1)`, is told as an annotation, in braces, which counts as 1 there.
     #[must_use]
     pub const fn new(unit: &'static str, min: f64, max: f64) -> Self {
         Self { unit, min, max, open_above: false, whole: false, share: false, default: None }
@@ -59,12 +61,6 @@ impl Number {
     #[must_use]
     pub const fn or(self, default: f64) -> Self {
         Self { default: Some(default), ..self }
-    }
-
-    /// The same number where nothing holds if the field is left out.
-    #[must_use]
-    pub const fn without_default(self) -> Self {
-        Self { default: None, ..self }
     }
 
     /// Its unit.
@@ -111,15 +107,14 @@ impl Number {
 
     /// The numbers of a fault of a value that is out of bounds.
     #[must_use]
-    pub fn figures(&self, value: f64) -> FieldFault {
+    pub fn figures(&self, value: f64) -> Figures {
         let top = Some(self.max).filter(|max| max.is_finite());
-        FieldFault {
+        Figures {
             value: Some(value),
             minimum: Some(self.min).filter(|min| min.is_finite()),
             maximum: top.filter(|_| !self.open_above),
             exclusive_maximum: top.filter(|_| self.open_above),
-            unit: Some(self.unit).filter(|unit| !unit.is_empty()),
-            ..FieldFault::default()
+            unit: self.ucum(),
         }
     }
 
@@ -137,15 +132,24 @@ impl Number {
         }
     }
 
+    /// Its unit as a UCUM code; none where one number stands for several of different units.
+    fn ucum(&self) -> Option<Cow<'static, str>> {
+        match self.unit {
+            "" => None,
+            unit if unit.contains('^') => Some(Cow::Owned(format!("{{{unit}}}"))),
+            unit => Some(Cow::Borrowed(unit)),
+        }
+    }
+
     /// The schema, with or without a meaning.
     pub(crate) fn described(&self, meaning: Option<&str>) -> ObjectBuilder {
         let finite = |bound: f64| Some(bound).filter(|bound| bound.is_finite());
-        let unit = Some(self.unit).filter(|unit| !unit.is_empty());
+        let unit = self.ucum();
         let object = ObjectBuilder::new()
             .description(meaning)
             .minimum(finite(self.min))
             .default(self.default.map(|value| if self.whole { (value as i64).into() } else { value.into() }))
-            .extensions(unit.map(|unit| Extensions::from_iter([("x-unit", unit)])));
+            .extensions(unit.map(|unit| Extensions::from_iter([("x-unit", unit.into_owned())])));
         let object = match self.open_above {
             true => object.exclusive_maximum(finite(self.max)),
             false => object.maximum(finite(self.max)),
@@ -214,7 +218,7 @@ impl Defaulting for Number {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fault::Faults;
+    use crate::fault::{Faults, FieldFault};
     use crate::hints::Hints;
 
     fn fault(number: Number, value: f64) -> FieldFault {
@@ -241,12 +245,16 @@ mod tests {
 
     #[test]
     fn a_number_out_of_bounds_comes_with_the_bounds() {
-        let of = |number| fault(number, 7.5);
-        let figures = |fault: FieldFault| (fault.value, fault.minimum, fault.maximum, fault.exclusive_maximum, fault.unit);
-        assert_eq!(figures(of(Number::new("Pa", 0.0, 5.0))), (Some(7.5), Some(0.0), Some(5.0), None, Some("Pa")));
-        assert_eq!(figures(of(Number::new("1", 0.0, 7.5).open_above())), (Some(7.5), Some(0.0), None, Some(7.5), Some("1")));
-        assert!(of(Number::new("1", 1.0, 9.0).whole()).detail.starts_with("must be a whole number from 1 to 9, not 7.5"));
-        assert_eq!(fault(Number::new("m", 0.0, 1.0), f64::INFINITY).value, None, "JSON has no infinity");
+        let of = |number| *fault(number, 7.5).figures.expect("figures");
+        let bounds =
+            |figures: Figures| (figures.value, figures.minimum, figures.maximum, figures.exclusive_maximum, figures.unit);
+        assert_eq!(bounds(of(Number::new("Pa", 0.0, 5.0))), (Some(7.5), Some(0.0), Some(5.0), None, Some("Pa".into())));
+        let open = Number::new("1", 0.0, 7.5).open_above();
+        assert_eq!(bounds(of(open)), (Some(7.5), Some(0.0), None, Some(7.5), Some("1".into())));
+        assert_eq!(of(Number::new("N/m^(n+1)", 0.0, 5.0)).unit.as_deref(), Some("{N/m^(n+1)}"));
+        assert!(fault(Number::new("1", 1.0, 9.0).whole(), 7.5).detail.starts_with("must be a whole number from 1 to 9, not 7.5"));
+        let infinite = fault(Number::new("m", 0.0, 1.0), f64::INFINITY);
+        assert_eq!(infinite.figures.and_then(|figures| figures.value), None, "JSON has no infinity");
     }
 
     #[test]

@@ -19,12 +19,13 @@
 //! above were derived anew from Eq. (11) for lugs and for both radii of the normal stress, and the tests hold them to the
 //! linearised method.
 
-use crate::caution::{Caution, DEEP_SINKAGE, NEGATIVE_NORMAL_STRESS, SLIP_BEYOND_COUPLED_TESTS, system_cautions};
-use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::caution::{Caution, DEEP_SINKAGE, NEGATIVE_NORMAL_STRESS, SLIP_BEYOND_COUPLED_TESTS};
+use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
+use crate::outcome::system_cautions;
+use crate::patch::ContactPatch;
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::slip::{Heading, Slip};
-use crate::stress::ContactPatch;
 
 /// Share of the support by the normal stress that has to be left by the shear stress of a braking wheel: with less, seven
 /// digits of the torque would be lost in the difference.
@@ -65,14 +66,13 @@ impl Coupled {
     /// use terramechanics::*;
     /// // A contact of θ1 = 0.5 rad at 10 % slip under 25.1728984 N: an independent evaluation of the triangular stresses
     /// // with σm = 5000 Pa gave T = 0.8743675 N·m and F_x = −1.9390407 N.
-    /// let exponent = SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None };
     /// let system = WheelOnSoil {
     ///     wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?,
     ///     soil: Soil::new(SoilParams {
     ///         cohesion: 0.0,
     ///         friction_angle: 0.478,
-    ///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 }),
-    ///         pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 1e6, exponent }), // any: it cancels
+    ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
+    ///         pressure_sinkage: None, // it cancels
     ///         unit_weight: None,
     ///         lateral_shear_modulus: None,
     ///     })?,
@@ -88,9 +88,9 @@ impl Coupled {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<CoupledForces, Error> {
-        check(Parameter::NormalLoad, self.normal_load, Requirement::Positive)?;
+        WheelOnSoil::NORMAL_LOAD.check(self.normal_load).map_err(Error::Invalid)?;
         if let Some(torque) = self.torque {
-            check(Parameter::Torque, torque, Requirement::Finite)?;
+            WheelOnSoil::TORQUE.check(torque).map_err(Error::Invalid)?;
         }
         let wheel = &patch.rolling.system.wheel;
         let (shearing_radius, normal_radius) = (wheel.shearing_radius(), self.normal_stress_radius.of(wheel));
@@ -126,10 +126,6 @@ impl Coupled {
     }
 }
 
-fn check(parameter: Parameter, value: f64, requirement: Requirement) -> Result<(), Error> {
-    if requirement.holds(value) { Ok(()) } else { Err(Error::Invalid(Fault { parameter, value, requirement })) }
-}
-
 impl CoupledForces {
     /// The forces of the wheel moving in `heading`: moving backward, those along x and the torque change sign.
     #[must_use]
@@ -140,8 +136,8 @@ impl CoupledForces {
         }
     }
 
-    /// That load and torque together leave a negative normal stress, if they do: they do not belong together by linear
-    /// stresses.
+    /// A warning where load and torque together leave a negative normal stress: by linear stresses they do not belong
+    /// together.
     #[must_use]
     pub fn caution(&self) -> Option<Caution> {
         NEGATIVE_NORMAL_STRESS.of(self.peak_normal_stress)

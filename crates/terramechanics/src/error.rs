@@ -1,147 +1,8 @@
-//! What can be wrong, as data: which input, what value, what was required, what a solver reached.
+//! Why valid parts, put together, have no answer, as data: what is wrong, what a solver reached.
 
 use std::fmt;
 
-/// An input of the model, named so that a caller can point at it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[expect(missing_docs, reason = "each variant is the name of the field it stands for")]
-pub enum Parameter {
-    Radius,
-    Width,
-    LugHeight,
-    LugCoefficient,
-    Cohesion,
-    FrictionAngle,
-    ShearModulus,
-    ResidualRatio,
-    PeakDisplacement,
-    LateralShearModulus,
-    SoilUnitWeight,
-    CohesiveModulus,
-    FrictionalModulus,
-    SinkageModulus,
-    UnitWeight,
-    DiameterCoefficient,
-    DiameterExponent,
-    BaseExponent,
-    SlipGain,
-    SkidGain,
-    PeakIntercept,
-    PeakSlipGain,
-    ExitRatio,
-    Slip,
-    SlipAngle,
-    ForwardVelocity,
-    AngularVelocity,
-    Sinkage,
-    StaticSinkage,
-    NormalLoad,
-    Torque,
-    LambdaA,
-    LambdaB,
-    StallSlip,
-    StallTime,
-    EntrapmentSinkageRatio,
-}
-
-/// What a value has to satisfy.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Requirement {
-    /// A finite number.
-    Finite,
-    /// Finite and greater than zero.
-    Positive,
-    /// Finite and not below zero.
-    NotNegative,
-    /// Finite and within the closed range.
-    Within {
-        /// Smallest value allowed.
-        min: f64,
-        /// Largest value allowed.
-        max: f64,
-    },
-    /// Finite, at least `min` and strictly below `limit`.
-    FromUpTo {
-        /// Smallest value allowed.
-        min: f64,
-        /// First value not allowed.
-        limit: f64,
-    },
-}
-
-impl Requirement {
-    /// Whether `value` satisfies the requirement; a NaN never does.
-    #[must_use]
-    pub fn holds(&self, value: f64) -> bool {
-        value.is_finite()
-            && match *self {
-                Self::Finite => true,
-                Self::Positive => value > 0.0,
-                Self::NotNegative => value >= 0.0,
-                Self::Within { min, max } => (min..=max).contains(&value),
-                Self::FromUpTo { min, limit } => (min..limit).contains(&value),
-            }
-    }
-}
-
-impl fmt::Display for Requirement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Finite => write!(f, "must be a finite number"),
-            Self::Positive => write!(f, "must be greater than 0"),
-            Self::NotNegative => write!(f, "must not be negative"),
-            Self::Within { min, max } => write!(f, "must be from {min} to {max}"),
-            Self::FromUpTo { min, limit } => write!(f, "must be at least {min} and less than {limit}"),
-        }
-    }
-}
-
-/// One input that does not satisfy its requirement.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fault {
-    /// The input at fault.
-    pub parameter: Parameter,
-    /// The value that was given.
-    pub value: f64,
-    /// What it has to satisfy.
-    pub requirement: Requirement,
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} {}, not {}", self.parameter, self.requirement, self.value)
-    }
-}
-
-/// Parameters that describe no wheel, soil, contact or slip: every fault found, never empty.
-#[derive(Debug, Clone, PartialEq)]
-pub struct InvalidInput {
-    /// The faults, in the order of the fields.
-    pub faults: Vec<Fault>,
-}
-
-impl InvalidInput {
-    /// `Ok` where every value satisfies its requirement, else all that do not.
-    pub(crate) fn check(checks: &[(Parameter, f64, Requirement)]) -> Result<(), Self> {
-        let faults: Vec<Fault> = checks
-            .iter()
-            .filter(|(_, value, requirement)| !requirement.holds(*value))
-            .map(|&(parameter, value, requirement)| Fault { parameter, value, requirement })
-            .collect();
-        if faults.is_empty() { Ok(()) } else { Err(Self { faults }) }
-    }
-}
-
-impl fmt::Display for InvalidInput {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, fault) in self.faults.iter().enumerate() {
-            write!(f, "{}{fault}", if i == 0 { "" } else { "; " })?;
-        }
-        Ok(())
-    }
-}
-
-impl std::error::Error for InvalidInput {}
+use crate::fault::Fault;
 
 /// Why valid parts, put together, have no answer.
 ///
@@ -241,8 +102,30 @@ pub enum Error {
         /// Support that is left of 1 for the normal stress alone (–).
         support: f64,
     },
+    /// The soil has no law of a kind that is needed here.
+    MissingLaw(SoilLaw),
     /// The numbers are so large or so small that a result overflows.
     NotFinite,
+}
+
+/// A kind of law that a soil may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SoilLaw {
+    /// A pressure–sinkage law.
+    PressureSinkage,
+    /// A shear law.
+    Shear,
+}
+
+impl SoilLaw {
+    /// A name for programs.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PressureSinkage => "pressure_sinkage",
+            Self::Shear => "shear",
+        }
+    }
 }
 
 /// A number in six digits: what a person reads; the value itself is in the error.
@@ -337,6 +220,8 @@ impl fmt::Display for Error {
                  that the normal stress supports",
                 Digits(support)
             ),
+            Self::MissingLaw(SoilLaw::PressureSinkage) => write!(f, "the soil has no pressure–sinkage law"),
+            Self::MissingLaw(SoilLaw::Shear) => write!(f, "the soil has no shear law"),
             Self::NotFinite => write!(f, "the result overflows: the inputs are too large or too small together"),
         }
     }

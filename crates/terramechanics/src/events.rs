@@ -3,7 +3,8 @@
 //! A wheel stalls where its slip stays at or above a threshold for a time; it is entrapped where it has sunk beyond a ratio to
 //! its radius. Both are rules of operation, not physics: no threshold holds for every rover, so all three are the caller's.
 
-use crate::error::{InvalidInput, Parameter, Requirement};
+use crate::fault::InvalidInput;
+use crate::parameter::{Parameter, Parametrised, Presence, Requirement, present};
 
 /// When a wheel counts as stuck.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,19 +20,66 @@ pub struct Thresholds {
 impl Default for Thresholds {
     /// 80 % slip for two seconds; a sinkage of half the radius. Chosen for want of a published rule.
     fn default() -> Self {
-        Self { stall_slip: 0.8, stall_time: 2.0, entrapment_sinkage_ratio: 0.5 }
+        Self::CHOSEN
     }
 }
 
 impl Thresholds {
+    const CHOSEN: Self = Self { stall_slip: 0.8, stall_time: 2.0, entrapment_sinkage_ratio: 0.5 };
+
+    /// s_stall.
+    pub const STALL_SLIP: Parameter = Parameter {
+        name: "stall_slip",
+        symbol: "s_stall",
+        unit: "1",
+        meaning: "Slip from which on the wheel may stall.",
+        requirement: Requirement::Within { min: f64::MIN_POSITIVE, max: 1.0 },
+        least: 0.01,
+        most: 1.0,
+        presence: Presence::Default(Self::CHOSEN.stall_slip),
+    };
+
+    /// t_stall.
+    pub const STALL_TIME: Parameter = Parameter {
+        name: "stall_time_s",
+        symbol: "t_stall",
+        unit: "s",
+        meaning: "Time for which the slip has to stay there.",
+        requirement: Requirement::NotNegative,
+        least: 0.0,
+        most: 1e6,
+        presence: Presence::Default(Self::CHOSEN.stall_time),
+    };
+
+    /// z/r.
+    pub const ENTRAPMENT_SINKAGE_RATIO: Parameter = Parameter {
+        name: "entrapment_sinkage_ratio",
+        symbol: "z/r",
+        unit: "1",
+        meaning: "Share of the radius beyond which the sinkage is an entrapment.",
+        requirement: Requirement::Within { min: 0.0, max: 1.0 },
+        least: 0.0,
+        most: 1.0,
+        presence: Presence::Default(Self::CHOSEN.entrapment_sinkage_ratio),
+    };
+
     /// # Errors
     /// Every threshold outside its range.
     pub(crate) fn check(&self) -> Result<(), InvalidInput> {
-        InvalidInput::check(&[
-            (Parameter::StallSlip, self.stall_slip, Requirement::Within { min: f64::MIN_POSITIVE, max: 1.0 }),
-            (Parameter::StallTime, self.stall_time, Requirement::NotNegative),
-            (Parameter::EntrapmentSinkageRatio, self.entrapment_sinkage_ratio, Requirement::Within { min: 0.0, max: 1.0 }),
-        ])
+        InvalidInput::check(present(Self::PARAMETERS, self.values()))
+    }
+}
+
+impl Parametrised for Thresholds {
+    const PARAMETERS: &'static [Parameter] = &[Self::STALL_SLIP, Self::STALL_TIME, Self::ENTRAPMENT_SINKAGE_RATIO];
+
+    fn from_values(values: &[Option<f64>]) -> Option<Self> {
+        let &[stall_slip, stall_time, entrapment_sinkage_ratio] = values else { return None };
+        Some(Self { stall_slip: stall_slip?, stall_time: stall_time?, entrapment_sinkage_ratio: entrapment_sinkage_ratio? })
+    }
+
+    fn values(&self) -> Vec<Option<f64>> {
+        [self.stall_slip, self.stall_time, self.entrapment_sinkage_ratio].map(Some).to_vec()
     }
 }
 

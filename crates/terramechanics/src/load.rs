@@ -1,17 +1,18 @@
 //! How deep does a loaded wheel sink? The sinkage at which the normal force balances the load.
 //!
 //! F_z grows about as z^(N + 1/2), so the balance is sought in y = sgn(F_z) |F_z|^(1/(N + 1/2)), which is nearly a straight
-//! line in z: a bracket found from one guess, then Brent's method, need some seven evaluations. On a driving wheel with its
+//! line in z: a bracket found from one guess, then Brent's method, need few evaluations. On a driving wheel with its
 //! exit at the lowest point F_z grows with z and the balance is unique; else the one nearest to Bekker's estimate is found,
 //! where F_z rises through the load: a wheel set on the soil comes to rest there.
 //!
 //! Two zones of a braking wheel need a sinkage of their own, below which there is no contact: the balance is then sought in the
 //! sinkage beyond that, which is the depth under the peak.
 
-use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::error::Error;
 use crate::forces::{ForceModel, Forces};
 use crate::numerics::brent::{Sample, bracketed_root};
-use crate::rolling::Rolling;
+use crate::pressure_sinkage::PressureCurve;
+use crate::rolling::{Rolling, WheelOnSoil};
 
 /// Relative tolerance of the sinkage: what the quadrature's own error allows.
 const TOLERANCE: f64 = 1e-13;
@@ -60,17 +61,12 @@ impl ForceModel {
     /// carries; [`Error::LoadTooLight`] with the least that a braking wheel with two zones carries;
     /// [`Error::LoadNotBalanced`] with what was reached; what [`Rolling::contact`] and [`ForceModel::forces`] refuse.
     pub fn solve_sinkage(&self, rolling: &Rolling<'_>, load: f64) -> Result<CarriedLoad, Error> {
-        if !Requirement::Positive.holds(load) {
-            return Err(Error::Invalid(Fault {
-                parameter: Parameter::NormalLoad,
-                value: load,
-                requirement: Requirement::Positive,
-            }));
-        }
-        let power = 1.0 / (rolling.sinkage_exponent() + 0.5);
+        WheelOnSoil::NORMAL_LOAD.check(load).map_err(Error::Invalid)?;
+        let curve = rolling.curve()?;
+        let power = 1.0 / (curve.exponent + 0.5);
         let (least, most) = rolling.sinkages();
         let level = load.powf(power);
-        let mut balance = Balance { model: self, rolling, load, power, level, least, most, iterations: 0, latest: None };
+        let mut balance = Balance { model: self, rolling, curve, load, power, level, least, most, iterations: 0, latest: None };
         let (below, above) = balance.bracket()?;
         let found = bracketed_root(|beyond| balance.imbalance(beyond), below, above, TOLERANCE)?;
         let sinkage = balance.sinkage(found.best.x);
@@ -91,6 +87,7 @@ impl ForceModel {
 struct Balance<'a> {
     model: &'a ForceModel,
     rolling: &'a Rolling<'a>,
+    curve: PressureCurve,
     load: f64,
     /// 1/(N + 1/2).
     power: f64,
@@ -170,8 +167,8 @@ impl Balance<'_> {
     /// Bekker's sinkage of a rigid wheel, z = (3 W / ((3 − N) b K_s √(2r)))^(2/(2N+1)) (Bekker 1956): a first guess.
     fn bekker_estimate(&self) -> f64 {
         let wheel = &self.rolling.system.wheel;
-        let share = (3.0 - self.rolling.sinkage_exponent()).max(0.5) / 3.0;
-        let scale = share * wheel.width() * self.rolling.sinkage_modulus() * (2.0 * wheel.radius()).sqrt();
+        let share = (3.0 - self.curve.exponent).max(0.5) / 3.0;
+        let scale = share * wheel.width() * self.curve.modulus * (2.0 * wheel.radius()).sqrt();
         let estimate = (self.load / scale).powf(self.power);
         if estimate.is_finite() { estimate.max(f64::MIN_POSITIVE) } else { wheel.radius() }
     }

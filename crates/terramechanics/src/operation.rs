@@ -55,9 +55,11 @@ impl Operation {
     /// The operating point at `slip`.
     ///
     /// # Errors
-    /// What [`WheelOnSoil::rolling`], [`Rolling::contact`], [`ForceModel::forces`] and [`ForceModel::solve_sinkage`] refuse.
+    /// What [`WheelOnSoil::rolling`], [`Rolling::curve`], [`Rolling::contact`], [`ForceModel::forces`] and
+    /// [`ForceModel::solve_sinkage`] refuse.
     pub fn at(&self, slip: Slip) -> Result<OperatingPoint, Error> {
         let rolling = self.system.rolling(slip)?;
+        let curve = rolling.curve()?;
         let (sinkage, solved) = self.sinkage_of(&rolling)?;
         let patch = rolling.contact(sinkage)?;
         let forces = match solved {
@@ -68,8 +70,8 @@ impl Operation {
             slip,
             sinkage,
             angles: patch.angles,
-            sinkage_modulus: rolling.sinkage_modulus(),
-            sinkage_exponent: rolling.sinkage_exponent(),
+            sinkage_modulus: curve.modulus,
+            sinkage_exponent: curve.exponent,
             forces,
         })
     }

@@ -2,7 +2,7 @@
 
 use crate::contact::Angles;
 use crate::forces::{PeakDepth, peak_stresses};
-use crate::stress::{ContactPatch, Stresses};
+use crate::stress::{StressField, Stresses};
 
 /// Stresses at places from the exit to the entry, as columns of one length.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -28,10 +28,14 @@ impl StressProfile {
     /// The profile at `points` places (at least [`StressProfile::FEWEST_POINTS`]), equally spaced on each side of the peak
     /// and nearly so over the whole; the linear stresses have the depth `peak_depth` under their peak.
     #[must_use]
-    pub fn of(patch: &ContactPatch<'_>, points: usize, peak_depth: PeakDepth) -> Self {
+    pub fn of(stresses: &StressField<'_>, points: usize, peak_depth: PeakDepth) -> Self {
+        let patch = stresses.patch;
         let Angles { entry, peak, exit } = patch.angles;
-        let linear_peak =
-            if patch.has_two_zones() { Stresses { normal: f64::NAN, shear: f64::NAN } } else { peak_stresses(patch, peak_depth) };
+        let linear_peak = if patch.has_two_zones() {
+            Stresses { normal: f64::NAN, shear: f64::NAN }
+        } else {
+            peak_stresses(stresses, peak_depth)
+        };
         let steps = points.max(Self::FEWEST_POINTS) - 1;
         let rear_steps = ((steps as f64 * (peak - exit) / (entry - exit)).round() as usize).clamp(1, steps - 1);
         let column = || Vec::with_capacity(steps + 1);
@@ -53,11 +57,11 @@ impl StressProfile {
                 (entry - share * (entry - peak), share)
             };
             let depth = patch.depth(theta);
-            let stresses = patch.stresses_under(&patch.rim_point(entry - theta), depth);
+            let here = stresses.under(&patch.rim_point(entry - theta), depth);
             profile.theta.push(theta);
             profile.depth.push(depth);
-            profile.normal.push(stresses.normal);
-            profile.shear.push(stresses.shear);
+            profile.normal.push(here.normal);
+            profile.shear.push(here.shear);
             profile.normal_linear.push(share * linear_peak.normal); // Eqs. (7a), (7b)
             profile.shear_linear.push(share * linear_peak.shear); // Eqs. (7c), (7d)
         }

@@ -2,7 +2,7 @@
 
 use crate::contact::Angles;
 use crate::numerics::brent::{Sample, bracketed_root};
-use crate::stress::ContactPatch;
+use crate::patch::ContactPatch;
 
 impl ContactPatch<'_> {
     /// Arcs δ = θ1 − θ (rad) behind the entry, ascending, at which j changes sign: only on a braking wheel, at most two,

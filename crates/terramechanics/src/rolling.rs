@@ -1,11 +1,12 @@
-//! Which law of pressure holds for a wheel at its slip? Modulus and exponent, and what else does not depend on the sinkage.
+//! What holds for a wheel at its slip, however deep it sinks? Its motion, and the laws of its soil.
 
 use crate::contact::Contact;
-use crate::error::Error;
-use crate::pressure_sinkage::PlateConditions;
+use crate::error::{Error, SoilLaw};
+use crate::parameter::{Parameter, Presence, Requirement};
+use crate::pressure_sinkage::{Plate, PressureCurve};
+use crate::shear::ShearLaw;
 use crate::slip::Slip;
 use crate::soil::Soil;
-use crate::stress::ContactPatch;
 use crate::wheel::Wheel;
 
 /// A wheel on a soil, touching it in a given way.
@@ -26,8 +27,9 @@ pub struct Rolling<'a> {
     pub system: &'a WheelOnSoil,
     /// The slip.
     pub slip: Slip,
-    modulus: f64,
-    exponent: f64,
+    shear: &'a ShearLaw,
+    /// The pressure over depth, where the soil has a law for it.
+    curve: Option<PressureCurve>,
     velocity_ratio: f64,
     velocity_complement: f64,
     /// θ0 where the law of braking has two zones.
@@ -35,60 +37,119 @@ pub struct Rolling<'a> {
 }
 
 impl WheelOnSoil {
+    /// z.
+    pub const SINKAGE: Parameter = Parameter {
+        name: "sinkage_m",
+        symbol: "z",
+        unit: "m",
+        meaning: "Sinkage of the wheel, at most its radius.",
+        requirement: Requirement::Positive,
+        least: 1e-9,
+        most: 100.0,
+        presence: Presence::Optional,
+    };
+
+    /// z0.
+    pub const STATIC_SINKAGE: Parameter = Parameter {
+        name: "static_sinkage_m",
+        symbol: "z0",
+        unit: "m",
+        meaning: "Static sinkage, from which the sinkage follows with the slip.",
+        requirement: Requirement::Positive,
+        least: 1e-9,
+        most: 100.0,
+        presence: Presence::Optional,
+    };
+
+    /// W.
+    pub const NORMAL_LOAD: Parameter = Parameter {
+        name: "normal_load_n",
+        symbol: "W",
+        unit: "N",
+        meaning: "Vertical load on the wheel.",
+        requirement: Requirement::Positive,
+        least: 1e-9,
+        most: 1e12,
+        presence: Presence::Optional,
+    };
+
+    /// T.
+    pub const TORQUE: Parameter = Parameter {
+        name: "torque_n_m",
+        symbol: "T",
+        unit: "N.m",
+        meaning: "Torque about the axle, in the sense of the motion.",
+        requirement: Requirement::Finite,
+        least: -1e12,
+        most: 1e12,
+        presence: Presence::Optional,
+    };
+
+    /// What is known of a wheel at work; each operation says which of it is needed.
+    pub const PARAMETERS: &'static [Parameter] = &[Self::SINKAGE, Self::STATIC_SINKAGE, Self::NORMAL_LOAD, Self::TORQUE];
+
     /// The wheel rolling at `slip`.
     ///
     /// # Errors
-    /// [`Error::ExponentNotPositive`] and [`Error::ModulusNotPositive`].
-    #[inline(always)] // as a call it takes a third longer to the explicit forces: its answer passes through memory
+    /// [`Error::MissingLaw`] where the soil has no shear law; [`Error::ExponentNotPositive`] and
+    /// [`Error::ModulusNotPositive`] by its pressure–sinkage law, if it has one.
+    #[inline(always)] // as a call its answer passes through memory, which the explicit forces feel
     pub fn rolling(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
-        let law = self.soil.pressure_sinkage();
-        let exponent = law.exponent().at(slip);
-        if exponent <= 0.0 {
-            return Err(Error::ExponentNotPositive { exponent });
-        }
-        let modulus = law.sinkage_modulus(&PlateConditions {
-            width: self.wheel.width(),
-            diameter: 2.0 * self.wheel.radius(),
-            cohesion: self.soil.cohesion(),
-            exponent,
-        });
-        if modulus.is_nan() || modulus <= 0.0 {
-            return Err(Error::ModulusNotPositive { modulus });
-        }
+        let curve = match self.soil.pressure_sinkage() {
+            Some(law) => Some(law.curve(&self.plate(), slip)?),
+            None => None,
+        };
+        let shear = self.soil.required_shear()?;
         let (velocity_ratio, velocity_complement) = slip.velocity_ratio();
-        let reversal = self.contact.braking().reversal(slip, &self.soil);
-        Ok(Rolling { system: self, slip, modulus, exponent, velocity_ratio, velocity_complement, reversal })
+        let reversal = self.contact.braking().reversal(slip, self.soil.tan_friction());
+        Ok(Rolling { system: self, slip, shear, curve, velocity_ratio, velocity_complement, reversal })
+    }
+
+    /// Pressure over depth under the wheel at `slip`.
+    ///
+    /// # Errors
+    /// [`Error::MissingLaw`] where the soil has no pressure–sinkage law; what [`PressureSinkage::curve`] refuses.
+    ///
+    /// [`PressureSinkage::curve`]: crate::PressureSinkage::curve
+    pub fn curve(&self, slip: Slip) -> Result<PressureCurve, Error> {
+        let law = self.soil.pressure_sinkage().ok_or(Error::MissingLaw(SoilLaw::PressureSinkage))?;
+        law.curve(&self.plate(), slip)
+    }
+
+    /// The wheel and the soil as a pressure–sinkage law sees them.
+    #[must_use]
+    pub fn plate(&self) -> Plate {
+        Plate { width: self.wheel.width(), diameter: 2.0 * self.wheel.radius(), cohesion: self.soil.cohesion() }
     }
 }
 
 impl Rolling<'_> {
-    /// Sinkage modulus K_s (Pa/m^N).
-    #[must_use]
-    pub fn sinkage_modulus(&self) -> f64 {
-        self.modulus
-    }
-
-    /// Sinkage exponent N (–).
-    #[must_use]
-    pub fn sinkage_exponent(&self) -> f64 {
-        self.exponent
-    }
-
-    /// The contact at `sinkage` z (m).
+    /// Pressure over depth under the wheel.
     ///
     /// # Errors
-    /// [`Error::SinkageOutsideWheel`] unless 0 < z ≤ r, [`Error::PeakOutsideContact`], [`Error::ReversalOutsideContact`].
-    pub fn contact(&self, sinkage: f64) -> Result<ContactPatch<'_>, Error> {
-        let radius = self.system.wheel.radius();
-        if !(sinkage > 0.0 && sinkage <= radius) {
-            return Err(Error::SinkageOutsideWheel { sinkage, radius });
-        }
-        let depth_ratio = sinkage / radius;
-        let angles = match self.reversal {
-            None => self.system.contact.angles(depth_ratio, self.slip)?,
-            Some(reversal) => self.system.contact.angles_parted_at(reversal, depth_ratio)?,
-        };
-        Ok(ContactPatch::new(self, sinkage, angles))
+    /// [`Error::MissingLaw`] where the soil has no pressure–sinkage law.
+    #[inline(always)] // see `WheelOnSoil::rolling`
+    pub fn curve(&self) -> Result<PressureCurve, Error> {
+        self.curve.ok_or(Error::MissingLaw(SoilLaw::PressureSinkage))
+    }
+
+    /// The shear law of the soil.
+    #[inline]
+    #[must_use]
+    pub fn shear(&self) -> &ShearLaw {
+        self.shear
+    }
+
+    /// E (–) at a shear displacement j (m). Eq. (6).
+    #[inline]
+    pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
+        self.shear.mobilisation(displacement * self.system.soil.per_shear_scale())
+    }
+
+    /// Reciprocal of the displacement by which the shear law scales across the wheel (1/m).
+    #[inline]
+    pub(crate) fn per_lateral_modulus(&self) -> f64 {
+        1.0 / self.system.soil.params().lateral_shear_modulus.unwrap_or_else(|| self.shear.scale())
     }
 
     /// θ* (rad): the rim of a braking wheel slips forwards over the soil between −θ* and θ*, where cos θ > 1/κ, and backwards
@@ -109,12 +170,6 @@ impl Rolling<'_> {
     #[inline]
     pub(crate) fn velocity_ratio(&self) -> (f64, f64) {
         (self.velocity_ratio, self.velocity_complement)
-    }
-
-    /// σ (Pa) at `depth` (m). Eq. (1).
-    #[inline]
-    pub(crate) fn pressure(&self, depth: f64) -> f64 {
-        self.modulus * depth.powf(self.exponent)
     }
 
     /// Shear strength c + σ tan φ (Pa). Eq. (5).

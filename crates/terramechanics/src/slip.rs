@@ -2,7 +2,8 @@
 //!
 //! Convention: −1 (locked) … 0 (rolling) … 1 (spinning on the spot). Driving, rω ≥ v: s = 1 − v/(rω). Braking: s = rω/v − 1.
 
-use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::error::Error;
+use crate::parameter::{Parameter, Presence, Requirement};
 use crate::wheel::Wheel;
 
 /// Slip ratio s from −1 to 1, positive when driving, negative when braking. Eq. (2).
@@ -17,17 +18,24 @@ impl Slip {
     /// A wheel that turns on the spot.
     pub const SPINNING: Self = Self(1.0);
 
+    /// s.
+    pub const RATIO: Parameter = Parameter {
+        name: "slip",
+        symbol: "s",
+        unit: "1",
+        meaning: "Slip ratio: −1 locked, 0 rolling, 1 spinning on the spot.",
+        requirement: Requirement::Within { min: -1.0, max: 1.0 },
+        least: -1.0,
+        most: 1.0,
+        presence: Presence::Required,
+    };
+
     /// Checks the ratio.
     ///
     /// # Errors
     /// [`Error::Invalid`] unless −1 ≤ s ≤ 1.
     pub fn new(ratio: f64) -> Result<Self, Error> {
-        let requirement = Requirement::Within { min: -1.0, max: 1.0 };
-        if requirement.holds(ratio) {
-            Ok(Self(ratio))
-        } else {
-            Err(Error::Invalid(Fault { parameter: Parameter::Slip, value: ratio, requirement }))
-        }
+        Self::RATIO.check(ratio).map(Self).map_err(Error::Invalid)
     }
 
     /// The ratio s.
@@ -86,6 +94,33 @@ pub struct Velocities {
 }
 
 impl Velocities {
+    /// v.
+    pub const FORWARD: Parameter = Parameter {
+        name: "forward_velocity_m_s",
+        symbol: "v",
+        unit: "m/s",
+        meaning: "Forward velocity of the axle.",
+        requirement: Requirement::Finite,
+        least: -1e3,
+        most: 1e3,
+        presence: Presence::Required,
+    };
+
+    /// ω.
+    pub const ANGULAR: Parameter = Parameter {
+        name: "angular_velocity_rad_s",
+        symbol: "ω",
+        unit: "rad/s",
+        meaning: "Angular velocity of the wheel, positive when it rolls forward.",
+        requirement: Requirement::Finite,
+        least: -1e4,
+        most: 1e4,
+        presence: Presence::Required,
+    };
+
+    /// What they are made of.
+    pub const PARAMETERS: &'static [Parameter] = &[Self::FORWARD, Self::ANGULAR];
+
     /// The direction in which the wheel moves, if neither has the other's opposite sign.
     #[must_use]
     pub fn heading(&self) -> Heading {
@@ -128,11 +163,8 @@ impl Motion {
     /// ```
     pub fn of(wheel: &Wheel, velocities: Velocities) -> Result<Self, Error> {
         let Velocities { forward, angular } = velocities;
-        for (parameter, value) in [(Parameter::ForwardVelocity, forward), (Parameter::AngularVelocity, angular)] {
-            if !value.is_finite() {
-                return Err(Error::Invalid(Fault { parameter, value, requirement: Requirement::Finite }));
-            }
-        }
+        Velocities::FORWARD.check(forward).map_err(Error::Invalid)?;
+        Velocities::ANGULAR.check(angular).map_err(Error::Invalid)?;
         if forward * angular < 0.0 || (forward != 0.0 && angular != 0.0 && forward.signum() != angular.signum()) {
             return Err(Error::OppositeRotation { forward_velocity: forward, angular_velocity: angular });
         }
@@ -184,8 +216,12 @@ mod tests {
 
     #[test]
     fn numbers_that_are_not_finite_are_refused() {
-        assert!(matches!(motion(f64::NAN, 1.0), Err(Error::Invalid(Fault { parameter: Parameter::ForwardVelocity, .. }))));
-        assert!(matches!(motion(1.0, f64::INFINITY), Err(Error::Invalid(Fault { parameter: Parameter::AngularVelocity, .. }))));
+        let at_fault = |forward, angular| match motion(forward, angular) {
+            Err(Error::Invalid(fault)) => fault.parameter.name,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(at_fault(f64::NAN, 1.0), "forward_velocity_m_s");
+        assert_eq!(at_fault(1.0, f64::INFINITY), "angular_velocity_rad_s");
         assert!(Slip::new(f64::NAN).is_err() && Slip::new(1.0 + 1e-15).is_err() && Slip::new(-1.1).is_err());
     }
 }

@@ -1,6 +1,13 @@
 //! What is the soil made of, mechanically? Strength (Mohr–Coulomb), shear deformation and pressure–sinkage.
+//!
+//! Strength is what every model asks for. The two laws may be unknown: a model that needs one says so by
+//! [`Error::MissingLaw`], and the others do not miss it.
 
-use crate::error::{InvalidInput, Parameter, Requirement};
+use std::f64::consts::FRAC_PI_2;
+
+use crate::error::{Error, SoilLaw};
+use crate::fault::InvalidInput;
+use crate::parameter::{Parameter, Presence, Requirement, present};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::shear::ShearLaw;
 
@@ -11,10 +18,10 @@ pub struct SoilParams {
     pub cohesion: f64,
     /// Internal friction angle φ (rad), from 0 up to π/2.
     pub friction_angle: f64,
-    /// Shear law.
-    pub shear: ShearLaw,
-    /// Pressure–sinkage law.
-    pub pressure_sinkage: PressureSinkage,
+    /// Shear law, where one is known; all but the classical sinkage and resistances need it.
+    pub shear: Option<ShearLaw>,
+    /// Pressure–sinkage law, where one is known; what a measured load gives does not need it.
+    pub pressure_sinkage: Option<PressureSinkage>,
     /// Unit weight γ (N/m³), greater than 0, if known.
     pub unit_weight: Option<f64>,
     /// Shear deformation modulus K_y across the direction of travel (m), greater than 0, if it differs from the one along it.
@@ -26,8 +33,10 @@ pub struct SoilParams {
 pub struct Soil {
     params: SoilParams,
     tan_friction: f64,
-    /// Reciprocal of the displacement by which the shear law scales (1/m).
+    /// Reciprocal of the displacement by which the shear law scales (1/m); NaN without a law.
     per_shear_scale: f64,
+    /// Unit weight γ (N/m³), if known: the soil's own, else the one in its pressure–sinkage law.
+    unit_weight: Option<f64>,
     /// Gravity where the soil lies (m/s²), if it is known.
     gravity: Option<f64>,
     /// Largest slip (–) of the tests to which the gain of the sinkage exponent was fitted, if it is known.
@@ -35,30 +44,82 @@ pub struct Soil {
 }
 
 impl Soil {
+    /// c.
+    pub const COHESION: Parameter = Parameter {
+        name: "cohesion_pa",
+        symbol: "c",
+        unit: "Pa",
+        meaning: "Cohesion.",
+        requirement: Requirement::NotNegative,
+        least: 0.0,
+        most: 1e8,
+        presence: Presence::Required,
+    };
+
+    /// φ.
+    pub const FRICTION_ANGLE: Parameter = Parameter {
+        name: "friction_angle_rad",
+        symbol: "φ",
+        unit: "rad",
+        meaning: "Internal friction angle.",
+        requirement: Requirement::FromUpTo { min: 0.0, limit: FRAC_PI_2 },
+        least: 0.0,
+        most: FRAC_PI_2,
+        presence: Presence::Required,
+    };
+
+    /// K_y.
+    pub const LATERAL_SHEAR_MODULUS: Parameter = Parameter {
+        name: "lateral_shear_modulus_m",
+        symbol: "K_y",
+        unit: "m",
+        meaning: "Shear deformation modulus across the direction of travel; that along it unless given.",
+        requirement: Requirement::Positive,
+        least: 1e-6,
+        most: 10.0,
+        presence: Presence::Optional,
+    };
+
+    /// γ.
+    pub const UNIT_WEIGHT: Parameter = Parameter {
+        name: "unit_weight_n_m3",
+        symbol: "γ",
+        unit: "N/m3",
+        meaning: "Unit weight, for what lies beside and in front of the wheel.",
+        requirement: Requirement::Positive,
+        least: 1.0,
+        most: 1e6,
+        presence: Presence::Optional,
+    };
+
+    /// What a soil has besides the parameters of its laws.
+    pub const PARAMETERS: &'static [Parameter] =
+        &[Self::COHESION, Self::FRICTION_ANGLE, Self::LATERAL_SHEAR_MODULUS, Self::UNIT_WEIGHT];
+
     /// Checks the parameters.
     ///
     /// # Errors
     /// Every parameter that is not finite or outside its range. Whether the sinkage modulus is positive depends on the
     /// wheel and is checked with it.
     pub fn new(params: SoilParams) -> Result<Self, InvalidInput> {
-        let mut checks = vec![
-            (Parameter::Cohesion, params.cohesion, Requirement::NotNegative),
-            (
-                Parameter::FrictionAngle,
-                params.friction_angle,
-                Requirement::FromUpTo { min: 0.0, limit: std::f64::consts::FRAC_PI_2 },
-            ),
-        ];
-        checks.extend(params.shear.requirements());
-        checks.extend(params.pressure_sinkage.requirements());
-        for (parameter, value) in
-            [(Parameter::SoilUnitWeight, params.unit_weight), (Parameter::LateralShearModulus, params.lateral_shear_modulus)]
-        {
-            checks.extend(value.map(|value| (parameter, value, Requirement::Positive)));
-        }
-        InvalidInput::check(&checks)?;
-        let (tan_friction, per_shear_scale) = (params.friction_angle.tan(), 1.0 / params.shear.scale());
-        Ok(Self { params, tan_friction, per_shear_scale, gravity: None, largest_fitted_slip: None })
+        let [cohesion, friction_angle, lateral_shear_modulus, unit_weight] = params.values();
+        let strength = present(&[Self::COHESION, Self::FRICTION_ANGLE], vec![cohesion, friction_angle]);
+        let laws = params.shear.iter().flat_map(ShearLaw::parameters);
+        let laws = laws.chain(params.pressure_sinkage.iter().flat_map(PressureSinkage::parameters));
+        let rest = present(&[Self::UNIT_WEIGHT, Self::LATERAL_SHEAR_MODULUS], vec![unit_weight, lateral_shear_modulus]);
+        InvalidInput::check(strength.chain(laws).chain(rest))?;
+        let in_the_law = || {
+            let parameters = params.pressure_sinkage.iter().flat_map(PressureSinkage::parameters);
+            parameters.filter(|(parameter, _)| parameter.name == Self::UNIT_WEIGHT.name).map(|(_, value)| value).next()
+        };
+        Ok(Self {
+            params,
+            tan_friction: params.friction_angle.tan(),
+            per_shear_scale: params.shear.map_or(f64::NAN, |law| 1.0 / law.scale()),
+            unit_weight: params.unit_weight.or_else(in_the_law),
+            gravity: None,
+            largest_fitted_slip: None,
+        })
     }
 
     /// The same soil, marked as one that lies in this gravity (m/s²). No force depends on it, as the weight of the wheel is
@@ -111,56 +172,60 @@ impl Soil {
         self.tan_friction
     }
 
-    /// Pressure–sinkage law.
+    /// Pressure–sinkage law, where one is known.
     #[must_use]
-    pub fn pressure_sinkage(&self) -> &PressureSinkage {
-        &self.params.pressure_sinkage
+    pub fn pressure_sinkage(&self) -> Option<&PressureSinkage> {
+        self.params.pressure_sinkage.as_ref()
     }
 
-    /// Shear law.
+    /// Shear law, where one is known.
     #[must_use]
-    pub fn shear(&self) -> &ShearLaw {
-        &self.params.shear
+    pub fn shear(&self) -> Option<&ShearLaw> {
+        self.params.shear.as_ref()
+    }
+
+    /// The shear law, for what cannot do without.
+    ///
+    /// # Errors
+    /// [`Error::MissingLaw`].
+    #[inline]
+    pub(crate) fn required_shear(&self) -> Result<&ShearLaw, Error> {
+        self.params.shear.as_ref().ok_or(Error::MissingLaw(SoilLaw::Shear))
     }
 
     /// Unit weight γ (N/m³), if known: the soil's own, else the one in Reece's law.
     #[must_use]
     pub fn unit_weight(&self) -> Option<f64> {
-        let in_the_law = match self.params.pressure_sinkage {
-            PressureSinkage::Reece(law) => Some(law.unit_weight),
-            _ => None,
-        };
-        self.params.unit_weight.or(in_the_law)
+        self.unit_weight
     }
 
     /// Shear deformation modulus across the direction of travel (m): its own, else the displacement by which the shear law
-    /// scales (K for Janosi–Hanamoto).
+    /// scales (K for Janosi–Hanamoto); none where neither is known.
     #[must_use]
-    pub fn lateral_shear_modulus(&self) -> f64 {
-        self.params.lateral_shear_modulus.unwrap_or_else(|| self.shear_scale())
+    pub fn lateral_shear_modulus(&self) -> Option<f64> {
+        self.params.lateral_shear_modulus.or(self.params.shear.map(|law| law.scale()))
     }
 
-    /// E (–) at a shear displacement j (m). Eq. (6).
-    #[inline]
-    pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
-        self.params.shear.mobilisation(displacement * self.per_shear_scale)
-    }
-
-    /// Reciprocal of the displacement by which the shear law scales along the wheel (1/m).
+    /// Reciprocal of the displacement by which the shear law scales along the wheel (1/m); NaN without a law.
     #[inline]
     pub(crate) fn per_shear_scale(&self) -> f64 {
         self.per_shear_scale
     }
+}
 
-    /// The same across the wheel (1/m).
-    #[inline]
-    pub(crate) fn per_lateral_modulus(&self) -> f64 {
-        1.0 / self.lateral_shear_modulus()
+impl SoilParams {
+    /// The values of [`Soil::PARAMETERS`].
+    #[must_use]
+    pub fn values(&self) -> [Option<f64>; 4] {
+        [Some(self.cohesion), Some(self.friction_angle), self.lateral_shear_modulus, self.unit_weight]
     }
 
-    /// Displacement (m) over which the shear law changes.
-    pub(crate) fn shear_scale(&self) -> f64 {
-        self.params.shear.scale()
+    /// A soil without laws from the values of [`Soil::PARAMETERS`]; none where a required one is absent.
+    #[must_use]
+    pub fn from_values(values: [Option<f64>; 4]) -> Option<Self> {
+        let [cohesion, friction_angle, lateral_shear_modulus, unit_weight] = values;
+        let (cohesion, friction_angle) = (cohesion?, friction_angle?);
+        Some(Self { cohesion, friction_angle, shear: None, pressure_sinkage: None, unit_weight, lateral_shear_modulus })
     }
 }
 
@@ -174,8 +239,8 @@ mod tests {
     const SOIL: SoilParams = SoilParams {
         cohesion: 0.0,
         friction_angle: 0.5,
-        shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.01 }),
-        pressure_sinkage: PressureSinkage::Bekker(Bekker { k_c: 0.0, k_phi: 1e6, exponent: EXPONENT }),
+        shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.01 })),
+        pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: 0.0, k_phi: 1e6, exponent: EXPONENT })),
         unit_weight: None,
         lateral_shear_modulus: None,
     };
@@ -186,7 +251,7 @@ mod tests {
 
     #[test]
     fn the_unit_weight_is_the_soils_own_or_that_of_reeces_law() {
-        let reece = PressureSinkage::Reece(Reece { k_c: 0.0, k_phi: 80.0, unit_weight: 1.5e4, exponent: EXPONENT });
+        let reece = Some(PressureSinkage::Reece(Reece { k_c: 0.0, k_phi: 80.0, unit_weight: 1.5e4, exponent: EXPONENT }));
         assert_eq!(soil(SOIL).unit_weight(), None);
         assert_eq!(soil(SoilParams { pressure_sinkage: reece, ..SOIL }).unit_weight(), Some(1.5e4));
         let own = SoilParams { pressure_sinkage: reece, unit_weight: Some(2e4), ..SOIL };
@@ -195,9 +260,10 @@ mod tests {
 
     #[test]
     fn the_lateral_modulus_is_its_own_or_the_length_of_the_shear_law() {
-        assert_eq!(soil(SOIL).lateral_shear_modulus(), 0.01);
-        let peak = ShearLaw::WongPeak(WongPeak { peak_displacement: 0.02 });
-        assert_eq!(soil(SoilParams { shear: peak, ..SOIL }).lateral_shear_modulus(), 0.02);
-        assert_eq!(soil(SoilParams { lateral_shear_modulus: Some(0.03), ..SOIL }).lateral_shear_modulus(), 0.03);
+        assert_eq!(soil(SOIL).lateral_shear_modulus(), Some(0.01));
+        let peak = Some(ShearLaw::WongPeak(WongPeak { peak_displacement: 0.02 }));
+        assert_eq!(soil(SoilParams { shear: peak, ..SOIL }).lateral_shear_modulus(), Some(0.02));
+        assert_eq!(soil(SoilParams { lateral_shear_modulus: Some(0.03), ..SOIL }).lateral_shear_modulus(), Some(0.03));
+        assert_eq!(soil(SoilParams { shear: None, ..SOIL }).lateral_shear_modulus(), None);
     }
 }

@@ -1,6 +1,7 @@
 //! What shape is the wheel? A rigid cylinder, with or without lugs (letter, Eq. 9).
 
-use crate::error::{InvalidInput, Parameter, Requirement};
+use crate::fault::InvalidInput;
+use crate::parameter::{Parameter, Parametrised, Presence, Requirement, present};
 
 /// Dimensions of a rigid wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +16,19 @@ pub struct WheelParams {
     pub lug_coefficient: f64,
 }
 
+impl Parametrised for WheelParams {
+    const PARAMETERS: &'static [Parameter] = &[Wheel::RADIUS, Wheel::WIDTH, Wheel::LUG_HEIGHT, Wheel::LUG_COEFFICIENT];
+
+    fn from_values(values: &[Option<f64>]) -> Option<Self> {
+        let &[radius, width, lug_height, lug_coefficient] = values else { return None };
+        Some(Self { radius: radius?, width: width?, lug_height: lug_height?, lug_coefficient: lug_coefficient? })
+    }
+
+    fn values(&self) -> Vec<Option<f64>> {
+        [self.radius, self.width, self.lug_height, self.lug_coefficient].map(Some).to_vec()
+    }
+}
+
 /// A wheel whose dimensions make sense.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wheel {
@@ -27,18 +41,67 @@ impl Wheel {
     /// Lug coefficient where none is known ("typically set to 0.5", letter, below Eq. 9).
     pub const TYPICAL_LUG_COEFFICIENT: f64 = 0.5;
 
+    /// r.
+    pub const RADIUS: Parameter = Parameter {
+        name: "radius_m",
+        symbol: "r",
+        unit: "m",
+        meaning: "Rim radius.",
+        requirement: Requirement::Positive,
+        least: 1e-3,
+        most: 100.0,
+        presence: Presence::Required,
+    };
+
+    /// b.
+    pub const WIDTH: Parameter = Parameter {
+        name: "width_m",
+        symbol: "b",
+        unit: "m",
+        meaning: "Width.",
+        requirement: Requirement::Positive,
+        least: 1e-3,
+        most: 100.0,
+        presence: Presence::Required,
+    };
+
+    /// h.
+    pub const LUG_HEIGHT: Parameter = Parameter {
+        name: "lug_height_m",
+        symbol: "h",
+        unit: "m",
+        meaning: "Lug height; 0 for a smooth wheel.",
+        requirement: Requirement::NotNegative,
+        least: 0.0,
+        most: 10.0,
+        presence: Presence::Default(0.0),
+    };
+
+    /// λ_s.
+    pub const LUG_COEFFICIENT: Parameter = Parameter {
+        name: "lug_coefficient",
+        symbol: "λ_s",
+        unit: "1",
+        meaning: "Lug coefficient: the shear stress acts at r + λ_s h.",
+        requirement: Requirement::Within { min: 0.0, max: 1.0 },
+        least: 0.0,
+        most: 1.0,
+        presence: Presence::Default(Self::TYPICAL_LUG_COEFFICIENT),
+    };
+
     /// Checks the dimensions.
     ///
     /// # Errors
     /// Every dimension that is not finite or outside its range.
     pub fn new(params: WheelParams) -> Result<Self, InvalidInput> {
-        InvalidInput::check(&[
-            (Parameter::Radius, params.radius, Requirement::Positive),
-            (Parameter::Width, params.width, Requirement::Positive),
-            (Parameter::LugHeight, params.lug_height, Requirement::NotNegative),
-            (Parameter::LugCoefficient, params.lug_coefficient, Requirement::Within { min: 0.0, max: 1.0 }),
-        ])?;
+        InvalidInput::check(present(WheelParams::PARAMETERS, params.values()))?;
         Ok(Self { params, lug_height_is_assumed: false })
+    }
+
+    /// The dimensions it was made of.
+    #[must_use]
+    pub fn params(&self) -> &WheelParams {
+        &self.params
     }
 
     /// The same wheel, marked as one whose lug height is not known: its results carry a [`crate::Caution`] that says so.

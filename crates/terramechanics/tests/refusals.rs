@@ -4,15 +4,15 @@ mod common;
 
 use common::{LETTER_LAW, LETTER_SOIL, LETTER_WHEEL, contact, letter, slip, system};
 use terramechanics::{
-    Bekker, Contact, ContactParams, Direct, Error, Fault, ForceModel, InvalidInput, JanosiHanamoto, Lambda, Method, Operation,
+    Bekker, Contact, ContactParams, Direct, Error, ForceModel, InvalidInput, JanosiHanamoto, Lambda, Method, Operation,
     Parameter, PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SlipSweep, Soil, SoilParams,
-    Wheel, WheelOnSoil, WheelParams, WongPeak, WongResidual,
+    Wheel, WheelOnSoil, WheelParams, WongPeak, WongReece, WongResidual,
 };
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 fn at_fault<T: std::fmt::Debug>(result: Result<T, InvalidInput>) -> Vec<Parameter> {
-    result.expect_err("refused").faults.iter().map(|fault| fault.parameter).collect()
+    result.expect_err("refused").faults.iter().map(|fault| *fault.parameter).collect()
 }
 
 #[test]
@@ -27,10 +27,10 @@ fn dimensions_of_the_wheel() {
     let height: fn(&mut WheelParams, f64) = |p, v| p.lug_height = v;
     let coefficient: fn(&mut WheelParams, f64) = |p, v| p.lug_coefficient = v;
     for (change, parameter, bad) in [
-        (radius, Parameter::Radius, [0.0, -1.0]),
-        (width, Parameter::Width, [0.0, -1.0]),
-        (height, Parameter::LugHeight, [-1e-9, -1.0]),
-        (coefficient, Parameter::LugCoefficient, [-0.01, 1.01]),
+        (radius, Wheel::RADIUS, [0.0, -1.0]),
+        (width, Wheel::WIDTH, [0.0, -1.0]),
+        (height, Wheel::LUG_HEIGHT, [-1e-9, -1.0]),
+        (coefficient, Wheel::LUG_COEFFICIENT, [-0.01, 1.01]),
     ] {
         for value in bad.into_iter().chain(NOT_FINITE) {
             assert_eq!(at_fault(wheel(change, value)), [parameter], "{value}");
@@ -41,44 +41,47 @@ fn dimensions_of_the_wheel() {
 #[test]
 fn parameters_of_the_soil() {
     for value in [-1e-9].into_iter().chain(NOT_FINITE) {
-        assert_eq!(at_fault(Soil::new(SoilParams { cohesion: value, ..LETTER_SOIL })), [Parameter::Cohesion]);
+        assert_eq!(at_fault(Soil::new(SoilParams { cohesion: value, ..LETTER_SOIL })), [Soil::COHESION]);
     }
     for value in [-0.1, std::f64::consts::FRAC_PI_2, 2.0].into_iter().chain(NOT_FINITE) {
-        assert_eq!(at_fault(Soil::new(SoilParams { friction_angle: value, ..LETTER_SOIL })), [Parameter::FrictionAngle]);
+        assert_eq!(at_fault(Soil::new(SoilParams { friction_angle: value, ..LETTER_SOIL })), [Soil::FRICTION_ANGLE]);
     }
     for value in [0.0, -0.01].into_iter().chain(NOT_FINITE) {
         assert_eq!(
-            at_fault(Soil::new(SoilParams { shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: value }), ..LETTER_SOIL })),
-            [Parameter::ShearModulus]
+            at_fault(Soil::new(SoilParams {
+                shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: value })),
+                ..LETTER_SOIL
+            })),
+            [JanosiHanamoto::MODULUS]
         );
     }
     for value in [0.0, -0.01].into_iter().chain(NOT_FINITE) {
         let peak = ShearLaw::WongPeak(WongPeak { peak_displacement: value });
         let residual = ShearLaw::WongResidual(WongResidual { residual_ratio: value, peak_displacement: value });
-        assert_eq!(at_fault(Soil::new(SoilParams { shear: peak, ..LETTER_SOIL })), [Parameter::PeakDisplacement]);
-        let both = [Parameter::ResidualRatio, Parameter::PeakDisplacement];
-        assert_eq!(at_fault(Soil::new(SoilParams { shear: residual, ..LETTER_SOIL })), both);
+        assert_eq!(at_fault(Soil::new(SoilParams { shear: Some(peak), ..LETTER_SOIL })), [WongPeak::PEAK_DISPLACEMENT]);
+        let both = [WongResidual::RESIDUAL_RATIO, WongPeak::PEAK_DISPLACEMENT];
+        assert_eq!(at_fault(Soil::new(SoilParams { shear: Some(residual), ..LETTER_SOIL })), both);
     }
     for value in [0.0, -0.01].into_iter().chain(NOT_FINITE) {
         let soil = SoilParams { unit_weight: Some(value), lateral_shear_modulus: Some(value), ..LETTER_SOIL };
-        assert_eq!(at_fault(Soil::new(soil)), [Parameter::SoilUnitWeight, Parameter::LateralShearModulus]);
+        assert_eq!(at_fault(Soil::new(soil)), [Soil::UNIT_WEIGHT, Soil::LATERAL_SHEAR_MODULUS]);
     }
     for value in NOT_FINITE {
         let law = PressureSinkage::Bekker(Bekker { k_phi: value, ..LETTER_LAW });
-        assert_eq!(at_fault(Soil::new(SoilParams { pressure_sinkage: law, ..LETTER_SOIL })), [Parameter::FrictionalModulus]);
+        assert_eq!(at_fault(Soil::new(SoilParams { pressure_sinkage: Some(law), ..LETTER_SOIL })), [Bekker::K_PHI]);
     }
 }
 
 #[test]
 fn all_faults_are_named_at_once() {
     let faults = at_fault(Wheel::new(WheelParams { radius: -1.0, width: f64::NAN, lug_height: 0.0, lug_coefficient: 2.0 }));
-    assert_eq!(faults, [Parameter::Radius, Parameter::Width, Parameter::LugCoefficient]);
+    assert_eq!(faults, [Wheel::RADIUS, Wheel::WIDTH, Wheel::LUG_COEFFICIENT]);
 }
 
 #[test]
 fn a_modulus_that_is_not_positive_on_this_wheel() {
     let law = PressureSinkage::Bekker(Bekker { k_c: -100_000.0, ..LETTER_LAW }); // positive only for b > 0.1326 m
-    let soil = SoilParams { pressure_sinkage: law, ..LETTER_SOIL };
+    let soil = SoilParams { pressure_sinkage: Some(law), ..LETTER_SOIL };
     let narrow = system(LETTER_WHEEL, soil, Contact::MIDPOINT);
     assert!(matches!(narrow.rolling(slip(0.2)), Err(Error::ModulusNotPositive { modulus }) if modulus < 0.0));
     assert!(system(WheelParams { width: 0.2, ..LETTER_WHEEL }, soil, Contact::MIDPOINT).rolling(slip(0.2)).is_ok());
@@ -87,7 +90,7 @@ fn a_modulus_that_is_not_positive_on_this_wheel() {
 #[test]
 fn an_exponent_that_is_not_positive() {
     let exponent = SinkageExponent { base: 0.5, slip_gain: 1.0, skid_gain: None };
-    let soil = SoilParams { pressure_sinkage: PressureSinkage::Bekker(Bekker { exponent, ..LETTER_LAW }), ..LETTER_SOIL };
+    let soil = SoilParams { pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { exponent, ..LETTER_LAW })), ..LETTER_SOIL };
     let system = system(LETTER_WHEEL, soil, Contact::MIDPOINT);
     assert_eq!(system.rolling(slip(-0.5)), Err(Error::ExponentNotPositive { exponent: 0.0 }));
     assert!(system.rolling(slip(-0.4)).is_ok());
@@ -105,7 +108,7 @@ fn a_skid_gain_replaces_the_slip_gain_at_negative_slip() {
 #[test]
 fn slip_outside_its_range() {
     for value in [-1.0 - 1e-12, 1.0 + 1e-12].into_iter().chain(NOT_FINITE) {
-        assert!(matches!(Slip::new(value), Err(Error::Invalid(Fault { parameter: Parameter::Slip, .. }))));
+        assert!(matches!(Slip::new(value), Err(Error::Invalid(fault)) if *fault.parameter == Slip::RATIO));
     }
 }
 
@@ -122,10 +125,10 @@ fn sinkage_outside_the_wheel() {
 #[test]
 fn a_peak_outside_the_contact() {
     for (rule, exit_ratio) in [
-        (PeakRule::WongReece { c1: 1.0, c2: 0.0 }, 0.0),
-        (PeakRule::WongReece { c1: 0.9, c2: 0.5 }, 0.0),
-        (PeakRule::WongReece { c1: 0.2, c2: -1.0 }, 0.0),
-        (PeakRule::WongReece { c1: 0.2, c2: 0.0 }, 0.3),
+        (PeakRule::WongReece(WongReece { c1: 1.0, c2: 0.0 }), 0.0),
+        (PeakRule::WongReece(WongReece { c1: 0.9, c2: 0.5 }), 0.0),
+        (PeakRule::WongReece(WongReece { c1: 0.2, c2: -1.0 }), 0.0),
+        (PeakRule::WongReece(WongReece { c1: 0.2, c2: 0.0 }), 0.3),
         (PeakRule::HalfSinkage, 0.8),
     ] {
         let system = system(LETTER_WHEEL, LETTER_SOIL, contact(rule, exit_ratio));
@@ -133,7 +136,7 @@ fn a_peak_outside_the_contact() {
         assert!(matches!(rolling.contact(0.02), Err(Error::PeakOutsideContact { .. })), "{rule:?}");
     }
     for exit_ratio in [-1.0 - 1e-9, 1.0].into_iter().chain(NOT_FINITE) {
-        assert_eq!(at_fault(Contact::new(ContactParams { rule: PeakRule::Midpoint, exit_ratio })), [Parameter::ExitRatio]);
+        assert_eq!(at_fault(Contact::new(ContactParams { rule: PeakRule::Midpoint, exit_ratio })), [Contact::EXIT_RATIO]);
     }
 }
 
@@ -145,7 +148,7 @@ fn a_load_that_is_none_or_beyond_what_the_soil_carries() {
         let model = ForceModel::at_rim(method);
         for load in [0.0, -1.0].into_iter().chain(NOT_FINITE) {
             let refused = model.solve_sinkage(&rolling, load);
-            assert!(matches!(refused, Err(Error::Invalid(Fault { parameter: Parameter::NormalLoad, .. }))));
+            assert!(matches!(refused, Err(Error::Invalid(fault)) if *fault.parameter == WheelOnSoil::NORMAL_LOAD));
         }
         let largest_carried = model.forces(&rolling.contact(0.2).expect("to the axle")).expect("forces").normal;
         let Err(Error::LoadBeyondCapacity { load, largest, sinkage }) = model.solve_sinkage(&rolling, 1.001 * largest_carried)
@@ -166,14 +169,14 @@ fn a_lambda_that_is_not_finite() {
     for value in NOT_FINITE {
         let method = Method::Explicit { peak_depth: PeakDepth::Half, lambda_a: Lambda::Exact, lambda_b: Lambda::Given(value) };
         let refused = ForceModel::at_rim(method).forces(&patch);
-        assert!(matches!(refused, Err(Error::Invalid(Fault { parameter: Parameter::LambdaB, .. }))));
+        assert!(matches!(refused, Err(Error::Invalid(fault)) if *fault.parameter == Lambda::B));
     }
 }
 
 #[test]
 fn a_result_that_overflows() {
     let law = PressureSinkage::Bekker(Bekker { k_phi: 1e308, ..LETTER_LAW });
-    let soil = SoilParams { pressure_sinkage: law, friction_angle: 1.57, ..LETTER_SOIL };
+    let soil = SoilParams { pressure_sinkage: Some(law), friction_angle: 1.57, ..LETTER_SOIL };
     let system = system(WheelParams { width: 1e6, ..LETTER_WHEEL }, soil, Contact::MIDPOINT);
     let rolling = system.rolling(slip(0.2)).expect("a rolling wheel");
     let patch = rolling.contact(0.2).expect("a contact");
@@ -184,7 +187,7 @@ fn a_result_that_overflows() {
 
 #[test]
 fn a_sweep_names_its_gaps_and_fills_the_rest() {
-    let contact = contact(PeakRule::WongReece { c1: 0.5, c2: 1.0 }, 0.0); // outside the contact from s = 0.5 on
+    let contact = contact(PeakRule::WongReece(WongReece { c1: 0.5, c2: 1.0 }), 0.0); // outside the contact from s = 0.5 on
     let system = system(LETTER_WHEEL, LETTER_SOIL, contact);
     let operation = Operation { system, model: ForceModel::at_rim(Method::Quadrature), sinkage: Sinkage::CarryingLoad(50.0) };
     let slips: Vec<Slip> = [-0.2, 0.0, 0.2, 0.4, 0.5, 0.9].map(slip).to_vec();
@@ -211,11 +214,11 @@ fn the_largest_load_of_a_locked_wheel_is_the_largest_and_all_below_it_are_carrie
         soil: Soil::new(SoilParams {
             cohesion: 0.0,
             friction_angle: 1.2,
-            shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
-            pressure_sinkage: PressureSinkage::Direct(Direct {
+            shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
+            pressure_sinkage: Some(PressureSinkage::Direct(Direct {
                 k_s: 1e6,
                 exponent: SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None },
-            }),
+            })),
             unit_weight: None,
             lateral_shear_modulus: None,
         })

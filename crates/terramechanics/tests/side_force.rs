@@ -6,8 +6,8 @@ use common::{LETTER_SOIL, LETTER_WHEEL, SIDE_FORCE_CASES, cases, contact, model_
 use proptest::prelude::*;
 use serde_json::Value;
 use terramechanics::{
-    Braking, Bulldozing, Contact, Error, ForceModel, Forces, Heading, Method, Parameter, PeakRule, ShearCoupling, SideForce,
-    SideSlip, SlipAngle, SoilParams, WheelOnSoil, WheelParams,
+    Braking, Bulldozing, Contact, Error, ForceModel, Forces, Heading, Method, PeakRule, ShearCoupling, SideForce, SideSlip,
+    SlipAngle, SoilParams, WheelOnSoil, WheelParams,
 };
 
 /// What the quadrature promises.
@@ -239,7 +239,7 @@ fn two_zones_take_no_slip_angle_but_go_straight() {
 #[test]
 fn slip_angles_beyond_the_bound_are_refused() {
     for beta in [1.51, -1.51, f64::NAN, f64::INFINITY] {
-        assert!(matches!(SlipAngle::new(beta), Err(Error::Invalid(fault)) if fault.parameter == Parameter::SlipAngle));
+        assert!(matches!(SlipAngle::new(beta), Err(Error::Invalid(fault)) if *fault.parameter == SlipAngle::ANGLE));
     }
     assert!(SlipAngle::new(SlipAngle::LARGEST).is_ok() && SlipAngle::new(-SlipAngle::LARGEST).is_ok());
 }
@@ -298,7 +298,7 @@ proptest! {
         (wheel, soil, contact, depth) in systems(), ratio in -0.9..=1.0, beta in 0.01..=1.5, factor in 1.1..5.0_f64,
     ) {
         let law = terramechanics::Direct { k_s: 5e5, exponent: common::LETTER_LAW.exponent };
-        let soil = SoilParams { pressure_sinkage: terramechanics::PressureSinkage::Direct(law), ..soil };
+        let soil = SoilParams { pressure_sinkage: Some(terramechanics::PressureSinkage::Direct(law)), ..soil };
         let wider = WheelParams { width: factor * wheel.width, ..wheel };
         for coupling in COUPLINGS {
             let of = |wheel: WheelParams| -> SideForce {

@@ -236,8 +236,8 @@ fn events_beyond_the_number_kept_are_counted() {
 fn thresholds_out_of_range_are_all_named() {
     let wrong = Thresholds { stall_slip: 0.0, stall_time: -1.0, entrapment_sinkage_ratio: f64::NAN };
     let invalid = Tracker::new(operation(Method::EXPLICIT), wrong).expect_err("three faults");
-    let named: Vec<Parameter> = invalid.faults.iter().map(|fault| fault.parameter).collect();
-    assert_eq!(named, [Parameter::StallSlip, Parameter::StallTime, Parameter::EntrapmentSinkageRatio]);
+    let named: Vec<Parameter> = invalid.faults.iter().map(|fault| *fault.parameter).collect();
+    assert_eq!(named, [Thresholds::STALL_SLIP, Thresholds::STALL_TIME, Thresholds::ENTRAPMENT_SINKAGE_RATIO]);
 }
 
 #[test]

@@ -52,7 +52,7 @@ impl IdentifyReply {
             reduced_chi_square: None,
             rmse: BTreeMap::from([("torque_n_m", found.torque.rmse)]),
             columns: IdentifyColumns::of(observations, sinkages(query), std::slice::from_ref(&found.torque)),
-            soil: if *law_known { soil } else { soil.without_law() },
+            soil,
             contact: ContactBody::from(&setup.contact),
             warnings,
         })

@@ -188,7 +188,7 @@ fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
                 .replace("{}", &words::number(ratio.sqrt()));
         warn("model_misfit", detail);
     }
-    warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.exponent().base));
+    warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base)));
     let mut warn = |code: &'static str, detail: String| warnings.push(Warning::new(code, detail));
     if query.law_replaced {
         let detail = "k_s is fitted: the direct law stands in place of the preset's, with its exponents".to_owned();

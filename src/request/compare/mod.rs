@@ -3,7 +3,7 @@
 mod variant;
 
 use terramechanics::{ForceModel, Method, Operation, Slip};
-use terramechanics_reading::{Faults, Field, FieldFault, Object, Reader, Scope, Words};
+use terramechanics_reading::{Faults, Field, FieldFault, Figures, Object, Reader, Scope, Words};
 
 use super::axis::{self, SLIP_OR_SLIPS};
 use super::method::{BRAKING, ClosedForms, LAMBDAS, METHODS, MethodName, STRESSES, takes_two_zones};
@@ -79,7 +79,7 @@ impl Request for CompareCase {
         let case = Self { variations, slips: slips? };
         let points = case.operations().count() * case.slips.len();
         if points > MOST_POINTS {
-            let figures = FieldFault { value: Some(points as f64), maximum: Some(MOST_POINTS as f64), ..FieldFault::default() };
+            let figures = Figures { value: Some(points as f64), maximum: Some(MOST_POINTS as f64), ..Figures::default() };
             let detail = format_args!(
                 "all series, with the quadrature, have {points} operating points in all; {MOST_POINTS} is the most that is computed"
             );

@@ -50,7 +50,7 @@ pub(super) fn check(object: &Reader<'_>, fitted: &[Unknown], case: &LinearCase) 
     for name in idle.into_iter().flatten() {
         report(object.place().field(name), "has no meaning for the linear estimator");
     }
-    if !matches!(setup.soil.shear, ShearLaw::JanosiHanamoto(_)) {
+    if !matches!(setup.soil.shear, Some(ShearLaw::JanosiHanamoto(_))) {
         let soil = object.place_of(&PARTIAL_SOIL);
         report(soil.field(SHEAR.name), "the linear estimator needs janosi_hanamoto");
     }

@@ -1,6 +1,6 @@
 //! The forward model of a fit: what is known of it, and the starts of what is fitted.
 
-use terramechanics::{Contact, ContactParams, ForceModel, PeakRule, SlipSinkage, Wheel};
+use terramechanics::{Contact, ContactParams, ForceModel, PeakRule, SlipSinkage, Wheel, WongReece};
 use terramechanics_identification::{Setup, SinkageSource, Unknown};
 use terramechanics_reading::Reader;
 
@@ -84,7 +84,7 @@ fn contact_params(object: &Reader<'_>, contact: &Contact, sought: &Sought<'_>) -
         PeakRule::Midpoint | PeakRule::HalfSinkage if (sought.has(c1) || sought.has(c2)) && !object.has(&CONTACT) => {
             let c2 = if sought.has(c2) { sought.start(c2) } else { 0.0 };
             let c1 = if sought.has(c1) { sought.start(c1) } else { 0.5 };
-            ContactParams { rule: PeakRule::WongReece { c1, c2 }, ..params }
+            ContactParams { rule: PeakRule::WongReece(WongReece { c1, c2 }), ..params }
         }
         _ => params,
     }

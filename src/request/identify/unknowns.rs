@@ -1,9 +1,10 @@
 //! The numbers that can be fitted, by name, with what may be sent for each: a start, and bounds.
 
+use terramechanics::{Bekker, Direct, SinkageExponent, WongReece};
 use terramechanics_identification::{Range, Unknown};
 use terramechanics_reading::{Bounds, Field, Kind, Number, Object, Reader, Word, group};
 
-use crate::request::laws::{BEKKERS_K_C, BEKKERS_K_PHI, C1, C2, K_S, N0, N1};
+use crate::request::laws::field;
 use crate::request::method::{LAMBDA, LAMBDA_A, LAMBDA_B};
 use crate::request::sinkage::STATIC_SINKAGE;
 use crate::request::soil::{COHESION, FRICTION_ANGLE, SHEAR_MODULUS};
@@ -13,13 +14,13 @@ static UNKNOWNS: [(Unknown, Field<Number>); 13] = [
     (Unknown::Cohesion, COHESION),
     (Unknown::FrictionAngle, FRICTION_ANGLE),
     (Unknown::ShearModulus, SHEAR_MODULUS),
-    (Unknown::SinkageModulus, K_S),
-    (Unknown::CohesiveModulus, Field { meaning: "Cohesive modulus of Bekker's or Reece's law.", ..BEKKERS_K_C }),
-    (Unknown::FrictionalModulus, Field { meaning: "Frictional modulus of Bekker's or Reece's law.", ..BEKKERS_K_PHI }),
-    (Unknown::BaseExponent, N0),
-    (Unknown::SlipGain, N1),
-    (Unknown::PeakIntercept, C1),
-    (Unknown::PeakSlipGain, C2),
+    (Unknown::SinkageModulus, field(&Direct::K_S, "Sinkage modulus K_s of the direct law (Pa/m^N).")),
+    (Unknown::CohesiveModulus, field(&Bekker::K_C, "Cohesive modulus of Bekker's or Reece's law.")),
+    (Unknown::FrictionalModulus, field(&Bekker::K_PHI, "Frictional modulus of Bekker's or Reece's law.")),
+    (Unknown::BaseExponent, field(&SinkageExponent::BASE, "Sinkage exponent without slip (–).")),
+    (Unknown::SlipGain, field(&SinkageExponent::SLIP_GAIN, "Gain of the exponent with slip (–).")),
+    (Unknown::PeakIntercept, field(&WongReece::C1, "c1 of θm = (c1 + c2 s) θ1 (–).")),
+    (Unknown::PeakSlipGain, field(&WongReece::C2, "c2 of θm = (c1 + c2 s) θ1 (–).")),
     (Unknown::LambdaA, Field::new(LAMBDA_A.name, LAMBDA_A.meaning, LAMBDA)),
     (Unknown::LambdaB, Field::new(LAMBDA_B.name, LAMBDA_B.meaning, LAMBDA)),
     (Unknown::StaticSinkage, STATIC_SINKAGE),
@@ -43,7 +44,7 @@ static STARTS: [Field<Number>; UNKNOWNS.len()] = {
     let mut i = 0;
     while i < fields.len() {
         let Field { name, meaning, kind, .. } = UNKNOWNS[i].1;
-        fields[i] = Field::new(name, meaning, kind.without_default());
+        fields[i] = Field::new(name, meaning, kind);
         i += 1;
     }
     fields

@@ -2,7 +2,7 @@
 
 mod plan;
 
-use terramechanics::{Operation, ShearLaw, Sinkage, Thresholds, Tracker};
+use terramechanics::{Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
 use terramechanics_identification::RunningStrength;
 use terramechanics_reading::{
     Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected, read,
@@ -10,6 +10,7 @@ use terramechanics_reading::{
 
 pub(crate) use plan::TrackPlan;
 
+use super::laws::field_or_default;
 use super::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
 use super::series::{self, COLUMNS, Samples};
 use super::sinkage::{LOAD, SLIP_SINKAGE, STATIC_SINKAGE, law_beside_static};
@@ -19,7 +20,7 @@ use crate::series::{ExtraColumns, Layout};
 use crate::words::HINTS;
 
 const NORMAL_LOAD: Field<Number> = Field::new(
-    "normal_load_n",
+    WheelOnSoil::NORMAL_LOAD.name,
     "Vertical load W (N), unless it is a column; the sinkage is solved so that F_z = W where it is neither measured nor static.",
     LOAD,
 );
@@ -46,15 +47,10 @@ const STRENGTH: Field<OneOf> = Field::new(
     OneOf::new("an object or true", &[Alternative::Asked(&STRENGTH_OBJECT, "The running estimate.")]),
 );
 
-const STALL_SLIP: Field<Number> =
-    Field::new("stall_slip", "Slip (–) from which on the wheel may stall.", Number::new("1", 0.01, 1.0).or(0.8));
-const STALL_TIME: Field<Number> =
-    Field::new("stall_time_s", "Time (s) for which the slip has to stay there.", Number::new("s", 0.0, 1e6).or(2.0));
-const ENTRAPMENT: Field<Number> = Field::new(
-    "entrapment_sinkage_ratio",
-    "Share of the radius (–) beyond which the sinkage is an entrapment.",
-    Number::new("1", 0.0, 1.0).or(0.5),
-);
+const STALL_SLIP: Field<Number> = field_or_default(&Thresholds::STALL_SLIP, "Slip (–) from which on the wheel may stall.");
+const STALL_TIME: Field<Number> = field_or_default(&Thresholds::STALL_TIME, "Time (s) for which the slip has to stay there.");
+const ENTRAPMENT: Field<Number> =
+    field_or_default(&Thresholds::ENTRAPMENT_SINKAGE_RATIO, "Share of the radius (–) beyond which the sinkage is an entrapment.");
 const THRESHOLDS_OBJECT: Object = Object {
     name: "TrackThresholds",
     doc: "When the wheel counts as stuck. The defaults are chosen for want of a published rule.",
@@ -94,7 +90,7 @@ fn thresholds(object: &Reader<'_>) -> Option<Thresholds> {
 fn strength(object: &Reader<'_>, operation: &Operation) -> Option<Option<RunningStrength>> {
     let Some(Either::Object(asked)) = object.optional(&STRENGTH)? else { return Some(None) };
     let forgetting = asked.or_default(&FORGETTING)?;
-    if !matches!(operation.system.soil.shear(), ShearLaw::JanosiHanamoto(_)) {
+    if !matches!(operation.system.soil.shear(), Some(ShearLaw::JanosiHanamoto(_))) {
         asked.place().fault("is known for the shear law janosi_hanamoto only");
         return None;
     }

@@ -4,7 +4,7 @@ use crate::observations::{Column, Observations};
 use crate::unknown::Unknown;
 use terramechanics::{
     ContactParams, Direct, ForceModel, JanosiHanamoto, Method, PeakRule, PressureSinkage, ShearLaw, SinkageExponent, Slip,
-    SoilParams, Wheel, WheelParams,
+    SoilParams, Wheel, WheelParams, WongReece,
 };
 
 /// Of derivatives that differ by the truncation of the coarser ones, a step of 1e-4.
@@ -17,12 +17,12 @@ fn setup(method: Method) -> Setup {
         soil: SoilParams {
             cohesion: 600.0,
             friction_angle: 0.55,
-            shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 }),
-            pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 9e5, exponent }),
+            shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 })),
+            pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 9e5, exponent })),
             unit_weight: None,
             lateral_shear_modulus: None,
         },
-        contact: ContactParams { rule: PeakRule::WongReece { c1: 0.45, c2: 0.1 }, exit_ratio: 0.0 },
+        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), exit_ratio: 0.0 },
         model: ForceModel::at_rim(method),
         sinkage: SinkageSource::Load,
     }

@@ -3,7 +3,7 @@
 
 use terramechanics::{
     ContactParams, Direct, ForceModel, JanosiHanamoto, Method, OperatingPoint, Operation, PeakRule, PressureSinkage, ShearLaw,
-    Sinkage, SinkageExponent, Slip, SoilParams, Wheel, WheelParams,
+    Sinkage, SinkageExponent, Slip, SoilParams, Wheel, WheelParams, WongReece,
 };
 use terramechanics_identification::{Column, Observations, Setup, SinkageSource, Sought, Unknown};
 
@@ -15,12 +15,12 @@ pub(crate) fn truth(method: Method, sinkage: SinkageSource) -> Setup {
         soil: SoilParams {
             cohesion: 600.0,
             friction_angle: 0.55,
-            shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 }),
-            pressure_sinkage: PressureSinkage::Direct(Direct { k_s: 9e5, exponent }),
+            shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 })),
+            pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 9e5, exponent })),
             unit_weight: None,
             lateral_shear_modulus: None,
         },
-        contact: ContactParams { rule: PeakRule::WongReece { c1: 0.45, c2: 0.1 }, exit_ratio: 0.0 },
+        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), exit_ratio: 0.0 },
         model: ForceModel::at_rim(method),
         sinkage,
     }

@@ -1,155 +1,66 @@
-//! Which way is the soil sheared under a towed or braking wheel? Wong & Reece 1967, part II.
+//! Which way is the soil sheared under a towed or braking wheel? Wong & Reece 1967, part II, source 21.
 //!
 //! At the angle θ0 the soil parts. Ahead of it the soil flows up and forward, and the rim moves back over it: the shear pushes
 //! the wheel on. Behind it the rim is dragged forward over the soil: the shear brakes. σ is largest at θ0.
 //!
 //! | quantity | here |
 //! |---|---|
-//! | tan(π/4 − φ/2) = (cos θ0 − (1 + s))/sin θ0 | [`reversal`] |
-//! | ahead: j = r κ [(θ1 − θ) (sin θ1 − sin θ0)/(θ1 − θ0) − (sin θ1 − sin θ)] | [`Zones::displacement_ahead`] |
-//! | behind: j = r [(θ0 − θ) − κ (sin θ0 − sin θ)] | [`Zones::displacement_behind`] |
+//! | tan(π/4 − φ/2) = (cos θ0 − (1 + s))/sin θ0 | [`TwoZone::reversal`] |
+//! | the displacements in both zones | `zones.rs` |
 //!
-//! The paper's skid is i = v/(rω) − 1, so its 1 + i is κ = 1/(1 + s) here; its K_v is put in. The formulas were not read in the
-//! paper: the condition for θ0 is quoted by one public implementation (Madsen 2013), the displacements by two that agree (the
-//! other is Pavlov & Johnson's of 2022). What was derived and checked: with m = tan(π/4 − φ/2) the condition has the closed form
-//! θ0 = arccos((1 + s) cos β) − β, β = π/4 − φ/2, which rises from 0 at s = 0 to π/4 + φ/2 on the locked wheel. j ahead is r κ
-//! times the height of sin θ above its chord, so it is 0 at both ends and positive between. j behind falls from 0 at θ0, because
-//! κ cos θ0 − 1 = κ m sin θ0 > 0, and turns only behind θ = −arccos(1 + s). The paper takes |j| and puts the signs into its
-//! integrals; with the signs of j the letter's integrals (10) are the paper's W, towing force and torque.
+//! The paper's skid is i = v/(rω) − 1, so its 1 + i is κ = 1/(1 + s) here. The condition was not read in the paper: one public
+//! implementation quotes it (Madsen 2013). What was derived and checked: with m = tan(π/4 − φ/2) it has the closed form
+//! θ0 = arccos((1 + s) cos β) − β, β = π/4 − φ/2, which rises from 0 at s = 0 to π/4 + φ/2 on the locked wheel.
 //!
-//! Valid where θ2 < θ0 < θ1; a wheel that brakes harder than its sinkage allows is refused, because σ, whose peak would be at
-//! the entry, vanishes as θ0 nears θ1. θ0 does not depend on the sinkage: the more skid, the deeper the wheel digs itself in at
-//! least. Departures: the exit is where the contact has it (the paper: θ2 = 0). On a locked wheel E is what endless displacement
-//! leaves, + ahead and − behind. As s → 0 the law has its largest stress at the lowest point and all shear forward, which is
-//! not the rolling wheel of the other law: results jump at s = 0. Madsen takes the law for skids above 5 %.
+//! Validity: θ2 < θ0 < θ1. A wheel that brakes harder than its sinkage allows is refused, because σ, whose peak would be at the
+//! entry, vanishes as θ0 nears θ1. θ0 does not depend on the sinkage: the more skid, the deeper the wheel digs itself in at
+//! least. Departure: the exit is where the contact has it (the paper: θ2 = 0). As s → 0 the law has its largest stress at the
+//! lowest point and all shear forward, which is not the rolling wheel of the other law: results jump at s = 0. Madsen takes the
+//! law for skids above 5 %.
 
-use crate::numerics::circular::{ArcMeans, HalfArc};
+use crate::law::Declared;
+use crate::parameter::{Parameter, Parametrised};
 use crate::slip::Slip;
-use crate::stress::{ContactPatch, RimPoint};
+use crate::sources::{Citation, WONG_REECE_TOWED};
+
+/// Two zones, which part at θ0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TwoZone;
+
+impl TwoZone {
+    /// θ0 of a braking wheel.
+    #[inline]
+    pub(super) fn reversal(&self, slip: Slip, tan_friction: f64) -> Option<f64> {
+        if slip.is_driving() { None } else { Some(reversal(slip, tan_friction)) }
+    }
+}
+
+impl Parametrised for TwoZone {
+    const PARAMETERS: &'static [Parameter] = &[];
+
+    fn from_values(values: &[Option<f64>]) -> Option<Self> {
+        values.is_empty().then_some(Self)
+    }
+
+    fn values(&self) -> Vec<Option<f64>> {
+        Vec::new()
+    }
+}
+
+impl Declared for TwoZone {
+    const NAME: &'static str = "two_zone";
+    const DOC: &'static str = "The towed wheel of Wong & Reece, whose shear reverses at the peak of the stresses.";
+    const FORMULA: &'static str = "θ0 = arccos((1 + s) cos β) − β, β = π/4 − φ/2";
+    const SOURCES: &'static [Citation] = &[WONG_REECE_TOWED.cited()];
+}
 
 /// θ0 (rad) of a wheel at s < 0.
 ///
 /// With t = tan(θ0/2) the condition is (2 + s) t² + 2 m t + s = 0, whose positive root has no cancellation.
 #[cold]
 #[inline(never)]
-pub(super) fn reversal(slip: Slip, tan_friction: f64) -> f64 {
+fn reversal(slip: Slip, tan_friction: f64) -> f64 {
     let skid = -slip.ratio();
     let m = 1.0 / (tan_friction + tan_friction.hypot(1.0)); // tan(π/4 − φ/2)
     2.0 * (skid / (m + (m * m + skid * (2.0 - skid)).sqrt())).atan()
-}
-
-/// The two zones of a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Zones {
-    /// θ0 (rad).
-    reversal: f64,
-    /// (θ1 − θ0)/2 (rad).
-    half_front: f64,
-    sin: f64,
-    cos: f64,
-}
-
-impl Zones {
-    /// The zones of a contact that enters the soil at `entry` and parts at `reversal` (rad).
-    #[cold]
-    #[inline(never)]
-    pub(crate) fn new(entry: f64, reversal: f64) -> Self {
-        Self { reversal, half_front: 0.5 * (entry - reversal), sin: reversal.sin(), cos: reversal.cos() }
-    }
-
-    /// E (–) at a place of the rim on either side of θ0.
-    pub(crate) fn mobilisation(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
-        if point.half_arc < self.half_front {
-            self.mobilisation_ahead(patch, point)
-        } else {
-            self.mobilisation_behind(patch, point)
-        }
-    }
-
-    /// E (–) ahead of θ0.
-    #[inline]
-    pub(crate) fn mobilisation_ahead(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
-        let soil = &patch.rolling.system.soil;
-        if patch.rolling.slip.is_locked() {
-            soil.shear().residual()
-        } else {
-            soil.mobilisation(self.displacement_ahead(patch, point))
-        }
-    }
-
-    /// E (–) behind θ0; 0 at it.
-    #[inline]
-    pub(crate) fn mobilisation_behind(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
-        let soil = &patch.rolling.system.soil;
-        if !patch.rolling.slip.is_locked() {
-            soil.mobilisation(self.displacement_behind(patch, point))
-        } else if point.half_arc > self.half_front {
-            -soil.shear().residual()
-        } else {
-            0.0
-        }
-    }
-
-    /// j (m) at a place of the rim on a wheel that turns; without end on one that does not.
-    pub(crate) fn displacement(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
-        let ahead = point.half_arc < self.half_front;
-        if patch.rolling.slip.is_locked() {
-            let behind = point.half_arc > self.half_front;
-            if ahead {
-                f64::INFINITY
-            } else if behind {
-                f64::NEG_INFINITY
-            } else {
-                0.0
-            }
-        } else if ahead {
-            self.displacement_ahead(patch, point)
-        } else {
-            self.displacement_behind(patch, point)
-        }
-    }
-
-    /// j (m) ahead of θ0.
-    ///
-    /// With the half arcs x to the entry and y to θ0, the height of sin θ above its chord is
-    /// (x + y)⁻¹ {2 sin θ [x sin² y + y sin² x] + cos θ [y (2x − sin 2x) − x (2y − sin 2y)]}: nothing large cancels.
-    #[inline]
-    fn displacement_ahead(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
-        let x = HalfArc::of(point.half_arc);
-        let (half_arc, rest) = (point.half_arc, self.half_front - point.half_arc);
-        let y = HalfArc::of(rest);
-        // 2x − sin 2x = 2 (x − sin x) + 2 sin x (1 − cos x).
-        let double_excess = |arc: &HalfArc| 2.0 * (arc.excess + arc.sin * (arc.sin * arc.sin / (1.0 + arc.cos)));
-        let rise = 2.0 * point.sin * (half_arc * y.sin * y.sin + rest * x.sin * x.sin);
-        let tilt = point.cos * (rest * double_excess(&x) - half_arc * double_excess(&y));
-        patch.rolling.velocity_ratio().0 * patch.rolling.system.wheel.radius() * (rise + tilt) / self.half_front
-    }
-
-    /// j (m) behind θ0: that of a driving wheel whose contact begins at θ0.
-    #[inline]
-    fn displacement_behind(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
-        let (ratio, complement) = patch.rolling.velocity_ratio();
-        let half_arc = point.half_arc - self.half_front;
-        let HalfArc { sin, cos, excess } = HalfArc::of(half_arc);
-        let sin_middle = self.sin * cos - self.cos * sin;
-        let cos_middle = self.cos * cos + self.sin * sin;
-        let one_minus_cos_middle = sin_middle * sin_middle / (1.0 + cos_middle);
-        2.0 * patch.rolling.system.wheel.radius() * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle))
-    }
-
-    /// Arcs (rad) over which E changes behind the entry, ahead of θ0 and behind it: the displacement by which its law scales,
-    /// over |dj/dθ| there. Infinite on a locked wheel, whose E is constant on each side.
-    pub(crate) fn shear_layers(&self, patch: &ContactPatch<'_>) -> [f64; 3] {
-        if patch.rolling.slip.is_locked() {
-            return [f64::INFINITY; 3];
-        }
-        let (ratio, complement) = patch.rolling.velocity_ratio();
-        let wheel = &patch.rolling.system.wheel;
-        let chord = ArcMeans::over(self.reversal + self.half_front, self.half_front).one_minus_cos; // 1 − mean of cos
-        let at_entry = ratio * (patch.sinkage / wheel.radius() - chord);
-        let one_minus_cos = self.sin * self.sin / (1.0 + self.cos);
-        let at_reversal = [ratio * (chord - one_minus_cos), complement + ratio * one_minus_cos];
-        [at_entry, at_reversal[0], at_reversal[1]]
-            .map(|growth| patch.rolling.system.soil.shear_scale() / (wheel.radius() * growth.abs()))
-    }
 }

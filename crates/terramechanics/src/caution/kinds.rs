@@ -15,6 +15,9 @@ const LARGEST_FITTED_SLIP: f64 = 0.6;
 /// of a negative k_c: there it is less than half of k_φ.
 const SMALLEST_WIDTH_RATIO: f64 = 2.0;
 
+/// Sinkage over diameter (–) up to which Bekker's estimates were found good (Wong, Theory of Ground Vehicles, ch. 2).
+const MODERATE_DEPTH: f64 = 1.0 / 6.0;
+
 /// Gravity (m/s²) of the tests, the standard acceleration (3rd General Conference on Weights and Measures, 1901).
 const EARTH_GRAVITY: f64 = 9.80665;
 
@@ -190,7 +193,7 @@ pub(crate) static SINKAGE_BEYOND_ESTIMATES: CautionKind = CautionKind {
     range: Some(TestedRange {
         quantity: "sinkage over diameter (–)",
         lower: None,
-        upper: Some(crate::resistances::compaction::MODERATE_DEPTH),
+        upper: Some(MODERATE_DEPTH),
         source: "Bekker, as reported by Wong, Theory of Ground Vehicles, ch. 2",
     }),
 };

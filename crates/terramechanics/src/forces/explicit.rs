@@ -1,12 +1,30 @@
 //! The letter's own explicit formulas (Eqs. 14–17): forces from slip and sinkage alone.
 //!
-//! With the published half sinkage at the peak and λ = 0 they carry 34–40 % less F_z than the quadrature on the letter's wheel
-//! and sand where the peak is at the midpoint, because there the depth under the peak is about 0.75 z; with the half-sinkage
-//! rule, 3–9 %.
+//! With σm = K_s z_m^N and the E of the peak, and with the printed errors put right:
+//!
+//! | equation | here |
+//! |---|---|
+//! | (14a) A = (1 − λ_A) √(z/(2r)) | [`approximate_shape`] |
+//! | (14b) B = (1 + λ_B) z/(2r), with r for the printed π (erratum 8) | [`approximate_shape`] |
+//! | (15) F_x = −(1 + λ_B) b K_s (z/2)^(N+1) + (r_s/√r) (1 − λ_A) b E [K_s tan φ (z/2)^(N+1/2) + c (z/2)^(1/2)] | [`forces`] |
+//! | (16) F_z = √r (1 − λ_A) b K_s (z/2)^(N+1/2) + (r_s/r) (1 + λ_B) b E [K_s tan φ (z/2)^(N+1) + c (z/2)] | [`forces`] |
+//! | (17) T = (r_s²/2) b E θ1 [c + (z/2)^N K_s tan φ] | [`forces`] |
+//!
+//! (15) and (16) are A Y − B X and A X + B Y of Eq. (11), X = r b σm and Y = r_s b τm, with (14) and z_m = z/2 put in; they are
+//! computed in that form, which gives the four parts of the forces as well. A test holds it to the formulas as they stand here.
+//!
+//! Units: SI, forces in N, the torque in N·m. Validity: the exit at the lowest point, θ2 = 0, from which (14) and (17) follow.
+//! The half sinkage of Eq. (8) holds under the rule [`HalfSinkage`](crate::HalfSinkage); with the peak at the midpoint of a
+//! shallow contact the depth there is 3/4 of the sinkage, so that the published form carries much less than the quadrature.
+//!
+//! Departures: (15) prints r_s √r for r_s/√r (erratum 9) and C for c (erratum 10); (17) takes the whole entry angle, arccos(1 −
+//! z/r), which (13) halves (erratum 7). The normal stress may act at r_s (erratum 3), the depth under the peak may be the
+//! geometric one, and λ_A and λ_B may be those at which (14) is exact.
 
 use super::linearised::closed_form;
 use super::{ForceModel, Forces, Lambda, PeakDepth, ShapeIntegrals};
-use crate::stress::ContactPatch;
+use crate::patch::ContactPatch;
+use crate::stress::StressField;
 
 /// Options of the explicit method.
 pub(super) struct Options {
@@ -15,8 +33,9 @@ pub(super) struct Options {
     pub(super) lambda_b: Lambda,
 }
 
-pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>, options: &Options) -> Forces {
-    closed_form(model, patch, options.peak_depth, &approximate_shape(patch, options))
+/// The forces by Eqs. (15), (16) and (17).
+pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>, options: &Options) -> Forces {
+    closed_form(model, stresses, options.peak_depth, &approximate_shape(stresses.patch, options))
 }
 
 /// A and B by Eq. (14); where λ is exact, that is what Eq. (12) gives.
@@ -33,5 +52,64 @@ fn approximate_shape(patch: &ContactPatch<'_>, options: &Options) -> ShapeIntegr
             Lambda::Exact => exact().b,
         },
         h: 0.5 * patch.angles.entry, // Eq. (17)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Contact;
+    use crate::forces::Method;
+    use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
+    use crate::rolling::WheelOnSoil;
+    use crate::shear::{JanosiHanamoto, ShearLaw};
+    use crate::slip::Slip;
+    use crate::soil::{Soil, SoilParams};
+    use crate::wheel::{Wheel, WheelParams};
+
+    /// Rounding of some ten operations and a power.
+    const ROUNDING: f64 = 1e-13;
+
+    /// Eqs. (15)–(17) as the head of this file has them, term by term.
+    #[test]
+    fn the_forces_are_the_explicit_formulas() {
+        let (r, b, h, lambda_s): (f64, f64, f64, f64) = (0.2, 0.1, 0.02, 0.5);
+        let (c, phi, modulus): (f64, f64, f64) = (300.0, 0.478, 0.015);
+        let (k_s, n0, n1): (f64, f64, f64) = (7.5e5, 0.91, 0.3);
+        let (lambda_a, lambda_b): (f64, f64) = (0.05, -0.02);
+        let exponent = SinkageExponent { base: n0, slip_gain: n1, skid_gain: None };
+        let system = WheelOnSoil {
+            wheel: Wheel::new(WheelParams { radius: r, width: b, lug_height: h, lug_coefficient: lambda_s }).expect("a wheel"),
+            soil: Soil::new(SoilParams {
+                cohesion: c,
+                friction_angle: phi,
+                shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
+                pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s, exponent })),
+                unit_weight: None,
+                lateral_shear_modulus: None,
+            })
+            .expect("a soil"),
+            contact: Contact::MIDPOINT,
+        };
+        let method = Method::Explicit {
+            peak_depth: PeakDepth::Half,
+            lambda_a: Lambda::Given(lambda_a),
+            lambda_b: Lambda::Given(lambda_b),
+        };
+        for (s, z) in [(0.0_f64, 0.02_f64), (0.3, 0.005), (0.8, 0.12), (-0.2, 0.03)] {
+            let rolling = system.rolling(Slip::new(s).expect("a slip")).expect("a rolling wheel");
+            let patch = rolling.contact(z).expect("a contact");
+            let forces = ForceModel::at_rim(method).forces(&patch).expect("forces");
+            let (r_s, n, e, tan) = (r + lambda_s * h, n0 + n1 * s, patch.peak_mobilisation(), phi.tan());
+            let half = z / 2.0;
+            let pull = -(1.0 + lambda_b) * b * k_s * half.powf(n + 1.0)
+                + r_s / r.sqrt() * (1.0 - lambda_a) * b * e * (k_s * tan * half.powf(n + 0.5) + c * half.sqrt()); // Eq. (15)
+            let normal = r.sqrt() * (1.0 - lambda_a) * b * k_s * half.powf(n + 0.5)
+                + r_s / r * (1.0 + lambda_b) * b * e * (k_s * tan * half.powf(n + 1.0) + c * half); // Eq. (16)
+            let torque = 0.5 * r_s * r_s * b * e * (1.0 - z / r).acos() * (c + half.powf(n) * k_s * tan); // Eq. (17)
+            assert!((forces.longitudinal - pull).abs() <= ROUNDING * forces.longitudinal_scale(), "{s}, {z}: {pull}");
+            assert!((forces.normal - normal).abs() <= ROUNDING * forces.normal_scale(), "{s}, {z}: {normal}");
+            assert!((forces.torque - torque).abs() <= ROUNDING * torque.abs(), "{s}, {z}: {torque}");
+        }
     }
 }

@@ -9,96 +9,22 @@
 
 mod explicit;
 mod linearised;
+mod method;
 mod panels;
 mod quadrature;
 mod shape;
 mod side;
 
+pub use method::{Lambda, Method, NormalStressRadius, PeakDepth};
 pub use shape::ShapeIntegrals;
 
-use crate::error::{Error, Fault, Parameter, Requirement};
-use crate::lateral::{SideForce, SideSlip};
+use crate::error::Error;
+use crate::fault::Fault;
+use crate::lateral::SideForce;
+use crate::patch::ContactPatch;
 use crate::slip::{Heading, Slip};
-use crate::stress::{ContactPatch, Stresses};
+use crate::stress::{StressField, Stresses};
 use crate::wheel::Wheel;
-
-/// The depth that is taken under the peak of the stresses by the closed forms.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PeakDepth {
-    /// Where the rim is: r (cos θm − cos θ1), about 0.75 z at the midpoint.
-    Geometric,
-    /// Half of the sinkage. Eq. (8).
-    Half,
-}
-
-/// A fitting constant of Eq. (14).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Lambda {
-    /// A number.
-    Given(f64),
-    /// The value at which the approximation of Eq. (14) equals Eq. (12).
-    Exact,
-}
-
-/// The radius at which the normal stress acts (erratum 3).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NormalStressRadius {
-    /// The rim, r: what Eqs. (15), (16) and Ding et al. have.
-    Rim,
-    /// The shearing radius r_s: Eq. (10) to the letter.
-    Shearing,
-}
-
-impl NormalStressRadius {
-    /// The radius r_n (m) of `wheel`.
-    #[must_use]
-    pub fn of(self, wheel: &Wheel) -> f64 {
-        match self {
-            Self::Rim => wheel.radius(),
-            Self::Shearing => wheel.shearing_radius(),
-        }
-    }
-}
-
-/// How the forces are found from the stresses.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Method {
-    /// Eq. (10), integrated numerically.
-    Quadrature,
-    /// The same for a wheel that moves at an angle to its plane, with the force across it.
-    SideSlipping(SideSlip),
-    /// Eqs. (11), (12): stresses linear from the exit to the peak and from there to the entry.
-    Linearised {
-        /// Depth under the peak.
-        peak_depth: PeakDepth,
-    },
-    /// Eqs. (14)–(17).
-    Explicit {
-        /// Depth under the peak.
-        peak_depth: PeakDepth,
-        /// λ_A of Eq. (14a).
-        lambda_a: Lambda,
-        /// λ_B of Eq. (14b).
-        lambda_b: Lambda,
-    },
-}
-
-impl Method {
-    /// The linearised method as published: the peak at its geometric depth.
-    pub const LINEARISED: Self = Self::Linearised { peak_depth: PeakDepth::Geometric };
-    /// The explicit method as published: half of the sinkage at the peak, λ_A = λ_B = 0.
-    pub const EXPLICIT: Self =
-        Self::Explicit { peak_depth: PeakDepth::Half, lambda_a: Lambda::Given(0.0), lambda_b: Lambda::Given(0.0) };
-
-    /// Whether the forces are a closed form: a fraction of a microsecond, where an integral takes several.
-    #[must_use]
-    pub fn is_closed_form(&self) -> bool {
-        match self {
-            Self::Linearised { .. } | Self::Explicit { .. } => true,
-            Self::Quadrature | Self::SideSlipping(_) => false,
-        }
-    }
-}
 
 /// A method together with the radius of the normal stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,12 +62,12 @@ impl ForceModel {
     ///     soil: Soil::new(SoilParams {
     ///         cohesion: 0.0,
     ///         friction_angle: 0.478,
-    ///         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
-    ///         pressure_sinkage: PressureSinkage::Bekker(Bekker {
+    ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
+    ///         pressure_sinkage: Some(PressureSinkage::Bekker(Bekker {
     ///             k_c: -660.0,
     ///             k_phi: 754_130.0,
     ///             exponent: SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None },
-    ///         }),
+    ///         })),
     ///         unit_weight: None,
     ///         lateral_shear_modulus: None,
     ///     })?,
@@ -156,25 +82,26 @@ impl ForceModel {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<Forces, Error> {
+        let stresses = &patch.stresses()?;
         let forces = match self.method {
-            Method::Quadrature => quadrature::forces(self, patch),
+            Method::Quadrature => quadrature::forces(self, stresses),
             Method::SideSlipping(side) if patch.has_two_zones() && side.angle.angle() != 0.0 => {
                 return Err(Error::SlipAngleOfTwoZones);
             }
-            Method::SideSlipping(side) => side::forces(self, patch, &side),
+            Method::SideSlipping(side) => side::forces(self, stresses, &side),
             Method::Linearised { .. } | Method::Explicit { .. } if patch.has_two_zones() => {
                 return Err(Error::ClosedFormOfTwoZones);
             }
-            Method::Linearised { peak_depth } => linearised::forces(self, patch, peak_depth),
+            Method::Linearised { peak_depth } => linearised::forces(self, stresses, peak_depth),
             Method::Explicit { peak_depth, lambda_a, lambda_b } => {
-                for (parameter, lambda) in [(Parameter::LambdaA, lambda_a), (Parameter::LambdaB, lambda_b)] {
+                for (parameter, lambda) in [(&Lambda::A, lambda_a), (&Lambda::B, lambda_b)] {
                     if let Lambda::Given(value) = lambda
                         && !value.is_finite()
                     {
-                        return Err(Error::Invalid(Fault { parameter, value, requirement: Requirement::Finite }));
+                        return Err(Error::Invalid(Fault { parameter, value }));
                     }
                 }
-                explicit::forces(self, patch, &explicit::Options { peak_depth, lambda_a, lambda_b })
+                explicit::forces(self, stresses, &explicit::Options { peak_depth, lambda_a, lambda_b })
             }
         };
         if forces.is_finite() { Ok(forces) } else { Err(Error::NotFinite) }
@@ -281,13 +208,14 @@ impl Forces {
 
 /// σm and τm at the peak, with the depth there that a closed form takes.
 #[inline]
-pub(crate) fn peak_stresses(patch: &ContactPatch<'_>, peak_depth: PeakDepth) -> Stresses {
+pub(crate) fn peak_stresses(stresses: &StressField<'_>, peak_depth: PeakDepth) -> Stresses {
+    let patch = stresses.patch;
     let peak = patch.rim_point(patch.angles.entry - patch.angles.peak);
     let depth = match peak_depth {
         PeakDepth::Geometric => patch.geometric_depth(&peak),
         PeakDepth::Half => 0.5 * patch.sinkage, // Eq. (8)
     };
     // Two zones have no shear stress at their peak, and the closed forms are refused there.
-    let normal = patch.rolling.pressure(depth);
+    let normal = stresses.curve.pressure(depth);
     Stresses { normal, shear: patch.mobilisation_of_one_zone(&peak) * patch.rolling.shear_strength(normal) }
 }

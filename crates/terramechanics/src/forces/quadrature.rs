@@ -1,13 +1,13 @@
 //! Forces by numerical integration of the stresses (letter, Eq. 10; Wong & Reece 1967).
 //!
 //! The rule. σ vanishes like the distance to the power N, not an integer, at the entry and at the exit, where plain
-//! Gauss–Legendre converges slowly (1e-7 with 128 points). These choices make it fast:
+//! Gauss–Legendre converges slowly. These choices make it fast:
 //!
 //! * Both sides of the peak are run through by one variable t from their free end (entry or exit, t = 0) to the peak
 //!   (t = 1). The depth behind the peak is the mirror image of the depth ahead of it (Eq. 4), so one σ(t) serves both.
 //! * t = u⁴ turns the power N at the free end into 4N + 3, and crowds the points where a stiff shear law (small K) changes.
 //!   Of u² … u⁶ it needed the fewest points over random wheels and soils.
-//! * 24 points of Gauss–Legendre in u: 48 stresses reach 1e-13 on ordinary driving wheels.
+//! * Gauss–Legendre in u, with points enough that ordinary driving wheels need no more.
 //! * A braking wheel's E has a jump in its second derivative where j changes sign: the range is split there.
 //! * Where a braking wheel has two zones (`braking/`), they part at the peak, and E saturates behind and ahead of it too.
 //! * Where E saturates within a small part of the contact (K thousands of times smaller than the wheel, or a wheel all but
@@ -19,22 +19,26 @@
 
 use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
 use super::{Components, ForceModel, Forces};
-use crate::braking::Zones;
 use crate::contact::Angles;
 use crate::numerics::gauss_legendre::{NODES, Node};
-use crate::stress::{ContactPatch, RimPoint};
+use crate::patch::ContactPatch;
+use crate::pressure_sinkage::PressureCurve;
+use crate::rim::RimPoint;
+use crate::stress::StressField;
+use crate::zones::Zones;
 
-/// Layers of [`ContactPatch::shear_layer`] after which E is saturated: e^−20 = 2e-9 of a small share is left.
+/// Layers of [`ContactPatch::shear_layer`] after which E is saturated: e to the minus this of a small share is left.
 const LAYERS: f64 = 20.0;
 
-/// Share of the range of u that the layer has to fall short of, to be split off; else the 24 points resolve it.
+/// Share of the range of u that the layer has to fall short of, to be split off; else the points resolve it.
 const THIN: f64 = 0.7;
 
 /// Place in u behind which a layer at the peak has to begin, to be split off.
 const LATE: f64 = 0.7;
 
-pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>) -> Forces {
-    let rim = Rim::of(patch);
+pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>) -> Forces {
+    let patch = stresses.patch;
+    let rim = Rim::of(stresses);
     let integrals = match patch.zones() {
         None => integrals::<_, { OneZone::FEW }>(&rim, &OneZone(patch)),
         Some(zones) => integrals_of_two_zones(&rim, &zones),
@@ -174,16 +178,16 @@ impl TwoZones<'_> {
 
 impl Shearing for TwoZones<'_> {
     fn ahead(&self, point: &RimPoint) -> f64 {
-        self.1.mobilisation_ahead(self.0, point)
+        self.1.mobilisation_ahead(self.0.rolling, point)
     }
 
     fn behind(&self, point: &RimPoint) -> f64 {
-        self.1.mobilisation_behind(self.0, point)
+        self.1.mobilisation_behind(self.0.rolling, point)
     }
 
     fn edges(&self, rim: &Rim<'_>) -> Edges {
         let mut edges = Edges::new();
-        let [entry, ahead, behind] = self.1.shear_layers(self.0);
+        let [entry, ahead, behind] = self.1.shear_layers(self.0.rolling, self.0.sinkage);
         rim.split_layer(&mut edges, entry);
         edges.split(1.0 - LAYERS * ahead / rim.front, LATE..1.0);
         edges.split(1.0 - LAYERS * behind / rim.rear, LATE..1.0);
@@ -195,6 +199,7 @@ impl Shearing for TwoZones<'_> {
 /// The arcs of a contact.
 pub(super) struct Rim<'a> {
     pub(super) patch: &'a ContactPatch<'a>,
+    pub(super) curve: PressureCurve,
     /// θ1 − θm, θm − θ2 and θ1 − θ2.
     pub(super) front: f64,
     pub(super) rear: f64,
@@ -202,9 +207,10 @@ pub(super) struct Rim<'a> {
 }
 
 impl<'a> Rim<'a> {
-    pub(super) fn of(patch: &'a ContactPatch<'a>) -> Self {
+    pub(super) fn of(stresses: &StressField<'a>) -> Self {
+        let StressField { patch, curve } = *stresses;
         let Angles { entry, peak, exit } = patch.angles;
-        Self { patch, front: entry - peak, rear: peak - exit, whole: entry - exit }
+        Self { patch, curve, front: entry - peak, rear: peak - exit, whole: entry - exit }
     }
 
     /// An end behind a layer of that arc (rad) at the entry, if it is thin.
@@ -228,7 +234,7 @@ impl<'a> Rim<'a> {
     }
 
     fn panel<S: Shearing>(&self, shearing: &S, from: f64, to: f64) -> Sums {
-        let Self { patch, front: front_arc, rear: rear_arc, whole } = *self;
+        let Self { patch, curve, front: front_arc, rear: rear_arc, whole } = *self;
         let length = to - from;
         let mut sums = Sums::default();
         for Node { place, weight, null } in &NODES {
@@ -238,7 +244,7 @@ impl<'a> Rim<'a> {
             let weight = length * weight * 4.0 * cube; // du → dt
             let front = patch.rim_point(t * front_arc);
             let rear = patch.rim_point(whole - t * rear_arc);
-            let normal = patch.rolling.pressure(patch.geometric_depth(&front)); // Eqs. (1), (3), (4): the same on both sides
+            let normal = curve.pressure(patch.geometric_depth(&front)); // Eqs. (1), (3), (4): the same on both sides
             let strength = patch.rolling.shear_strength(normal);
             let (front_weight, rear_weight) = (weight * front_arc, weight * rear_arc);
             let front_shear = front_weight * shearing.ahead(&front) * strength; // Eq. (5)

@@ -6,7 +6,7 @@
 //! M_x = r F_y is the published overturning moment. For M_z the published form is F_y r sin θm, as if all of the force acted
 //! at the peak of the stresses. Here M_z is the moment of the same stresses, ∫ {r_s² b τ_y + r R_b (r − h cos θ)} sin θ dθ:
 //! an element of F_y at θ lies r sin θ ahead of the axle, and its moment about the axis upwards is that arm times the force.
-//! It needs no guess of the place; the two differ by up to some tens of percent.
+//! It needs no guess of the place.
 //!
 //! Stresses that are not coupled leave the forces along the wheel as they are without a slip angle, to the last bit.
 
@@ -15,13 +15,16 @@ use super::quadrature::{self, Rim, Shearing};
 use super::{ForceModel, Forces};
 use crate::lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SideWall};
 use crate::numerics::gauss_legendre::{NODES, Node};
-use crate::stress::{ContactPatch, RimPoint};
+use crate::patch::ContactPatch;
+use crate::rim::RimPoint;
+use crate::stress::StressField;
 
-pub(super) fn forces(model: &ForceModel, patch: &ContactPatch<'_>, side: &SideSlip) -> Forces {
-    let rim = Rim::of(patch);
+pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>, side: &SideSlip) -> Forces {
+    let patch = stresses.patch;
+    let rim = Rim::of(stresses);
     // Going straight ahead, nothing is there to be coupled.
     let along = if side.coupling == ShearCoupling::Independent || side.angle.sign() == 0.0 {
-        quadrature::forces(model, patch)
+        quadrature::forces(model, stresses)
     } else {
         quadrature::forces_by::<_, FEW>(model, &rim, &Coupled { patch, side })
     };
@@ -171,7 +174,7 @@ impl Rim<'_> {
             let front = patch.rim_point(t * self.front);
             let rear = patch.rim_point(self.whole - t * self.rear);
             let sines = [front.sin, rear.sin];
-            let strength = patch.rolling.shear_strength(patch.rolling.pressure(patch.geometric_depth(&front)));
+            let strength = patch.rolling.shear_strength(self.curve.pressure(patch.geometric_depth(&front)));
             let (front_weight, rear_weight) = (weight * self.front, weight * self.rear);
             let front_shear = front_weight * side.lateral_share(patch, &front) * strength;
             let rear_shear = rear_weight * side.lateral_share(patch, &rear) * strength;

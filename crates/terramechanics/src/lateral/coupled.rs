@@ -10,7 +10,8 @@
 //! and only with its sign does the law become the uncoupled one as β → 0.
 
 use super::{SlipAngle, ishigami};
-use crate::stress::{ContactPatch, RimPoint};
+use crate::patch::ContactPatch;
+use crate::rim::RimPoint;
 
 /// Shares of the strength along and across the rim; the root of the sum of their squares is at most that of the shear law.
 pub(super) struct Shares {
@@ -24,16 +25,15 @@ pub(super) struct Shares {
 #[inline]
 pub(super) fn shares(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngle) -> Shares {
     let rolling = patch.rolling;
-    let soil = &rolling.system.soil;
     if rolling.slip.is_locked() {
         // κ without end: v_x : v_y is −cos θ : tan β.
         let speed = point.cos.hypot(angle.steepness());
-        let residual = soil.shear().residual();
+        let residual = rolling.shear().residual();
         return Shares { longitudinal: -residual * point.cos / speed, lateral: residual * angle.steepness() / speed };
     }
-    let along = patch.displacement(point) * soil.per_shear_scale();
-    let across = ishigami::displacement(patch, point, angle) * soil.per_lateral_modulus();
-    let share = soil.shear().mobilisation(along.hypot(across));
+    let along = patch.displacement(point) * rolling.system.soil.per_shear_scale();
+    let across = ishigami::displacement(patch, point, angle) * rolling.per_lateral_modulus();
+    let share = rolling.shear().mobilisation(along.hypot(across));
     let (slip, drift) = (patch.slip_velocity(point).abs(), rolling.velocity_ratio().0 * angle.steepness());
     let speed = slip.hypot(drift);
     if speed > 0.0 {

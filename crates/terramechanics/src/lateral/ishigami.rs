@@ -25,8 +25,9 @@
 //! in place of 1 − s; τ_y acts at the shearing radius of a wheel with lugs, as τ does.
 
 use super::SlipAngle;
+use crate::patch::ContactPatch;
+use crate::rim::RimPoint;
 use crate::soil::Soil;
-use crate::stress::{ContactPatch, RimPoint};
 
 /// |j_y| (m) at a place of the rim of a turning wheel.
 #[inline]
@@ -38,11 +39,11 @@ pub(super) fn displacement(patch: &ContactPatch<'_>, point: &RimPoint, angle: Sl
 /// E_y (–) at a place of the rim, without sign; on a locked wheel, whose displacement has no end, what that leaves.
 #[inline]
 pub(super) fn lateral_share(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngle) -> f64 {
-    let shear = patch.rolling.system.soil.shear();
+    let shear = patch.rolling.shear();
     if patch.rolling.slip.is_locked() {
         if angle.steepness() > 0.0 { shear.residual() } else { 0.0 }
     } else {
-        shear.mobilisation(displacement(patch, point, angle) * patch.rolling.system.soil.per_lateral_modulus())
+        shear.mobilisation(displacement(patch, point, angle) * patch.rolling.per_lateral_modulus())
     }
 }
 
@@ -50,11 +51,7 @@ pub(super) fn lateral_share(patch: &ContactPatch<'_>, point: &RimPoint, angle: S
 pub(super) fn layer(patch: &ContactPatch<'_>, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
     let growth = rolling.system.wheel.radius() * rolling.velocity_ratio().0 * angle.steepness();
-    if rolling.slip.is_locked() || growth == 0.0 {
-        f64::INFINITY
-    } else {
-        1.0 / (growth * rolling.system.soil.per_lateral_modulus())
-    }
+    if rolling.slip.is_locked() || growth == 0.0 { f64::INFINITY } else { 1.0 / (growth * rolling.per_lateral_modulus()) }
 }
 
 /// The resistance of a soil to a wall that is pushed sideways into it.
@@ -67,7 +64,7 @@ pub(crate) struct SideWall {
 }
 
 impl SideWall {
-    /// Of a soil whose unit weight is known.
+    /// The wall in a soil; none where the unit weight of the soil is not known.
     pub(crate) fn of(soil: &Soil) -> Option<Self> {
         let unit_weight = soil.unit_weight()?;
         let Factors { d1, d2 } = Factors::of(soil.tan_friction());

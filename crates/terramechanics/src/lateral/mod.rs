@@ -22,8 +22,10 @@ mod ishigami;
 
 pub(crate) use ishigami::SideWall;
 
-use crate::error::{Error, Fault, Parameter, Requirement};
-use crate::stress::{ContactPatch, RimPoint};
+use crate::error::Error;
+use crate::parameter::{Parameter, Presence, Requirement};
+use crate::patch::ContactPatch;
+use crate::rim::RimPoint;
 
 /// Angle β (rad) from the velocity of the wheel to its heading, positive where the wheel moves to its right.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
@@ -40,17 +42,25 @@ impl SlipAngle {
     /// moves: the bound keeps 4° away from there.
     pub const LARGEST: f64 = 1.5;
 
+    /// β.
+    pub const ANGLE: Parameter = Parameter {
+        name: "slip_angle_rad",
+        symbol: "β",
+        unit: "rad",
+        meaning: "Slip angle, from the velocity of the wheel to its heading; positive where it moves to its right.",
+        requirement: Requirement::Within { min: -Self::LARGEST, max: Self::LARGEST },
+        least: -Self::LARGEST,
+        most: Self::LARGEST,
+        presence: Presence::Optional,
+    };
+
     /// Checks the angle (rad).
     ///
     /// # Errors
     /// [`Error::Invalid`] unless it is within ±[`SlipAngle::LARGEST`].
     pub fn new(angle: f64) -> Result<Self, Error> {
-        let requirement = Requirement::Within { min: -Self::LARGEST, max: Self::LARGEST };
-        if requirement.holds(angle) {
-            Ok(Self { angle, tan: angle.tan() })
-        } else {
-            Err(Error::Invalid(Fault { parameter: Parameter::SlipAngle, value: angle, requirement }))
-        }
+        let angle = Self::ANGLE.check(angle).map_err(Error::Invalid)?;
+        Ok(Self { angle, tan: angle.tan() })
     }
 
     /// The angle β (rad).

@@ -1,20 +1,88 @@
-//! How firm is the soil under a plate? Bekker (1956, 1969): p = (k_c/b + k_phi) z^n.
+//! How firm is the soil under a plate? Bekker (1956, 1969; source 2): p = (k_c/b + k_φ) z^n, with b the smaller side of the plate.
+//!
+//! Units: k_c in N/m^(n+1), k_φ in N/m^(n+2), so that the moduli of two soils compare at one exponent only. The letter prints
+//! them per m^(3+1) and m^(3+2) in the caption of its Fig. 1, which is an error of print (erratum 12).
+//!
+//! Validity: the law was made for large plates and wheels. Under wheels of less than half a metre in diameter it errs
+//! (Meirion-Griffith & Spenko 2011, source 13): see [`Diameter`](super::Diameter).
+//!
+//! Departures: the exponent may grow with slip, N for n (letter, Eq. 1). The books were not read; the formula is printed in the
+//! letter and in the works that use it.
 
-use super::{PlateConditions, SinkageExponent};
+use super::{Plate, SinkageExponent};
+use crate::caution::{Caution, NEGATIVE_COHESIVE_MODULUS, SMALL_WHEEL};
+use crate::law::Declared;
+use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
+use crate::sources::{BEKKER, Citation, LETTER};
 
-/// Bekker's law: K_s = k_c/b + k_phi.
+/// Bekker's law: K_s = k_c/b + k_φ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bekker {
     /// Cohesive modulus k_c (N/m^(n+1)); may be negative where a fit gave that, as long as K_s stays positive.
     pub k_c: f64,
-    /// Frictional modulus k_phi (N/m^(n+2)).
+    /// Frictional modulus k_φ (N/m^(n+2)).
     pub k_phi: f64,
     /// Sinkage exponent.
     pub exponent: SinkageExponent,
 }
 
 impl Bekker {
-    pub(super) fn sinkage_modulus(&self, conditions: &PlateConditions) -> f64 {
-        self.k_c / conditions.width + self.k_phi // letter, caption of Fig. 1
+    /// k_c.
+    pub const K_C: Parameter = Parameter {
+        name: "k_c",
+        symbol: "k_c",
+        unit: "N/m^(n+1)",
+        meaning: "Cohesive modulus; may be negative, an artefact of its fit, as long as the sinkage modulus is positive.",
+        requirement: Requirement::Finite,
+        least: -1e9,
+        most: 1e9,
+        presence: Presence::Required,
+    };
+
+    /// k_φ.
+    pub const K_PHI: Parameter = Parameter {
+        name: "k_phi",
+        symbol: "k_φ",
+        unit: "N/m^(n+2)",
+        meaning: "Frictional modulus.",
+        requirement: Requirement::Finite,
+        least: -1e9,
+        most: 1e12,
+        presence: Presence::Required,
+    };
+
+    pub(super) fn exponent(&self) -> SinkageExponent {
+        self.exponent
     }
+
+    pub(super) fn sinkage_modulus(&self, plate: &Plate, _exponent: f64) -> f64 {
+        self.k_c / plate.width + self.k_phi // letter, caption of Fig. 1
+    }
+
+    /// Warns of a small wheel, and of a negative k_c that takes much of the modulus.
+    pub(super) fn cautions(&self, plate: &Plate) -> [Option<Caution>; 2] {
+        let width_ratio = (self.k_c < 0.0).then(|| -plate.width * self.k_phi / self.k_c);
+        [SMALL_WHEEL.of(plate.diameter), width_ratio.and_then(|ratio| NEGATIVE_COHESIVE_MODULUS.of(ratio))]
+    }
+}
+
+impl Parametrised for Bekker {
+    const PARAMETERS: &'static [Parameter] =
+        &[Self::K_C, Self::K_PHI, SinkageExponent::BASE, SinkageExponent::SLIP_GAIN, SinkageExponent::SKID_GAIN];
+
+    fn from_values(values: &[Option<f64>]) -> Option<Self> {
+        let &[k_c, k_phi, ref exponent @ ..] = values else { return None };
+        Some(Self { k_c: k_c?, k_phi: k_phi?, exponent: SinkageExponent::from_values(exponent)? })
+    }
+
+    fn values(&self) -> Vec<Option<f64>> {
+        [vec![Some(self.k_c), Some(self.k_phi)], self.exponent.values()].concat()
+    }
+}
+
+impl Declared for Bekker {
+    const NAME: &'static str = "bekker";
+    const DOC: &'static str = "Bekker's law: a cohesive modulus over the width and a frictional modulus.";
+    const FORMULA: &'static str = "K_s = k_c/b + k_phi";
+    const SOURCES: &'static [Citation] = &[BEKKER.cited(), LETTER.at("caption of Fig. 1")];
 }

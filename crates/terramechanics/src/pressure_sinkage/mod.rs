@@ -3,107 +3,101 @@
 mod bekker;
 mod diameter;
 mod direct;
+mod exponent;
 mod reece;
 
 pub use bekker::Bekker;
 pub use diameter::Diameter;
 pub use direct::Direct;
+pub use exponent::SinkageExponent;
 pub use reece::Reece;
 
-use crate::error::{Parameter, Requirement};
+use crate::caution::Caution;
+use crate::error::Error;
+use crate::law::family;
 use crate::slip::Slip;
 
-/// N = n0 + n1 s: the exponent of the sinkage, which grows with slip (letter, below Eq. 1; Ding et al. 2010), and with a gain of
-/// its own at negative slip where one was measured (Pavlov & Johnson 2024).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SinkageExponent {
-    /// n0, the exponent without slip (–).
-    pub base: f64,
-    /// n1, its gain with slip (–); 0 where none was measured.
-    pub slip_gain: f64,
-    /// n2, its gain with skid (–): N = n0 − n2 s at s < 0; where none was measured, n1 is applied there too.
-    pub skid_gain: Option<f64>,
-}
-
-impl SinkageExponent {
-    /// N at `slip` (–).
-    #[must_use]
-    pub fn at(&self, slip: Slip) -> f64 {
-        match self.skid_gain {
-            Some(skid_gain) if !slip.is_driving() => self.base - skid_gain * slip.ratio(),
-            _ => self.base + self.slip_gain * slip.ratio(),
-        }
+family! {
+    /// A pressure–sinkage law with its parameters.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub enum PressureSinkage {
+        /// Bekker 1956, 1969.
+        Bekker(Bekker),
+        /// A sinkage modulus given as it is.
+        Direct(Direct),
+        /// Reece 1965.
+        Reece(Reece),
+        /// Meirion-Griffith & Spenko 2011.
+        Diameter(Diameter),
     }
+
+    /// The sinkage exponent of the law.
+    #[must_use]
+    pub fn exponent(&self) -> SinkageExponent;
+
+    /// Sinkage modulus K_s (Pa/m^N) under `plate`, at the sinkage exponent N (–) of the slip in question.
+    fn sinkage_modulus(&self, plate: &Plate, exponent: f64) -> f64;
+
+    /// What is to be taken with care under `plate`.
+    pub(crate) fn cautions(&self, plate: &Plate) -> [Option<Caution>; 2];
 }
 
-/// What a law may depend on besides its own parameters.
-pub(crate) struct PlateConditions {
-    /// Width b of the wheel (m).
-    pub(crate) width: f64,
-    /// Diameter 2r of the wheel (m).
-    pub(crate) diameter: f64,
-    /// Cohesion c of the soil (Pa).
-    pub(crate) cohesion: f64,
-    /// Sinkage exponent N at the slip in question (–).
-    pub(crate) exponent: f64,
-}
-
-/// A pressure–sinkage law with its parameters.
+/// What presses on the soil, as far as a law asks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum PressureSinkage {
-    /// Bekker 1956, 1969.
-    Bekker(Bekker),
-    /// A sinkage modulus given as it is.
-    Direct(Direct),
-    /// Reece 1965.
-    Reece(Reece),
-    /// Meirion-Griffith & Spenko 2011.
-    Diameter(Diameter),
+pub struct Plate {
+    /// Width b of the wheel, or the smaller side of a plate (m).
+    pub width: f64,
+    /// Diameter 2r of the wheel (m).
+    pub diameter: f64,
+    /// Cohesion c of the soil (Pa).
+    pub cohesion: f64,
+}
+
+/// Pressure over depth under one plate at one slip: p = K_s z^N. Eq. (1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PressureCurve {
+    /// Sinkage modulus K_s (Pa/m^N).
+    pub modulus: f64,
+    /// Sinkage exponent N (–).
+    pub exponent: f64,
+}
+
+impl PressureCurve {
+    /// Pressure p (Pa) at `depth` z (m), not negative. Eq. (1).
+    #[inline]
+    #[must_use]
+    pub fn pressure(&self, depth: f64) -> f64 {
+        self.modulus * depth.powf(self.exponent)
+    }
 }
 
 impl PressureSinkage {
-    /// The sinkage exponent of the law.
-    #[must_use]
-    pub fn exponent(&self) -> SinkageExponent {
-        match self {
-            Self::Bekker(law) => law.exponent,
-            Self::Direct(law) => law.exponent,
-            Self::Reece(law) => law.exponent,
-            Self::Diameter(law) => law.exponent,
+    /// Pressure over depth under `plate` of a wheel at `slip`; a plate that is only pressed in has [`Slip::ROLLING`].
+    ///
+    /// # Errors
+    /// [`Error::ExponentNotPositive`] and [`Error::ModulusNotPositive`].
+    ///
+    /// ```
+    /// use terramechanics::*;
+    /// // By hand: K_s = 2000/0.1 + 980 000 = 1e6 Pa/m, and 20 kPa at 20 mm.
+    /// let exponent = SinkageExponent { base: 1.0, slip_gain: 1.0, skid_gain: None };
+    /// let law = PressureSinkage::Bekker(Bekker { k_c: 2000.0, k_phi: 980_000.0, exponent });
+    /// let plate = Plate { width: 0.1, diameter: 0.4, cohesion: 0.0 };
+    /// assert!((law.curve(&plate, Slip::ROLLING)?.pressure(0.02) - 20_000.0).abs() < 1e-9);
+    /// // On the spot N = 2, and 0.02² m² times 1e6 Pa/m² are 400 Pa.
+    /// assert!((law.curve(&plate, Slip::SPINNING)?.pressure(0.02) - 400.0).abs() < 1e-10);
+    /// # Ok::<(), terramechanics::Error>(())
+    /// ```
+    #[inline(always)] // see `WheelOnSoil::rolling`
+    pub fn curve(&self, plate: &Plate, slip: Slip) -> Result<PressureCurve, Error> {
+        let exponent = self.exponent().at(slip);
+        if exponent <= 0.0 {
+            return Err(Error::ExponentNotPositive { exponent });
         }
-    }
-
-    /// Sinkage modulus K_s (Pa/m^N).
-    pub(crate) fn sinkage_modulus(&self, conditions: &PlateConditions) -> f64 {
-        match self {
-            Self::Bekker(law) => law.sinkage_modulus(conditions),
-            Self::Direct(law) => law.sinkage_modulus(),
-            Self::Reece(law) => law.sinkage_modulus(conditions),
-            Self::Diameter(law) => law.sinkage_modulus(conditions),
+        let modulus = self.sinkage_modulus(plate, exponent);
+        if modulus.is_nan() || modulus <= 0.0 {
+            return Err(Error::ModulusNotPositive { modulus });
         }
-    }
-
-    /// What every parameter of the law has to satisfy by itself; K_s > 0 depends on the wheel and is checked there.
-    pub(crate) fn requirements(&self) -> Vec<(Parameter, f64, Requirement)> {
-        use Parameter as P;
-        use Requirement::{Finite, NotNegative};
-        let mut checks = match *self {
-            Self::Bekker(Bekker { k_c, k_phi, .. }) => {
-                vec![(P::CohesiveModulus, k_c, Finite), (P::FrictionalModulus, k_phi, Finite)]
-            }
-            Self::Direct(Direct { k_s, .. }) => vec![(P::SinkageModulus, k_s, Finite)],
-            Self::Reece(Reece { k_c, k_phi, unit_weight, .. }) => {
-                vec![
-                    (P::CohesiveModulus, k_c, Finite),
-                    (P::FrictionalModulus, k_phi, Finite),
-                    (P::UnitWeight, unit_weight, NotNegative),
-                ]
-            }
-            Self::Diameter(Diameter { k, m, .. }) => vec![(P::DiameterCoefficient, k, Finite), (P::DiameterExponent, m, Finite)],
-        };
-        let SinkageExponent { base, slip_gain, skid_gain } = self.exponent();
-        checks.extend([(P::BaseExponent, base, Finite), (P::SlipGain, slip_gain, Finite)]);
-        checks.extend(skid_gain.map(|gain| (P::SkidGain, gain, Finite)));
-        checks
+        Ok(PressureCurve { modulus, exponent })
     }
 }

@@ -6,10 +6,10 @@
 //! | N_c = (N_q − 1)/tan φ | [`BearingFactors::c`] |
 //! | N_γ = 2 (N_q + 1) tan φ/(1 + 0.4 sin 4φ) | [`BearingFactors::gamma_per_tan`] |
 //!
-//! Terzaghi read N_γ off a chart; the formula for it is Coduto's fit (2001), some ten per cent about the chart. Of the sets in
+//! Terzaghi (source 17) read N_γ off a chart; the formula for it is Coduto's fit (2001; source 3). Of the sets in
 //! use this is the one behind the known example of bulldozing: at 33° it gives the N_q = 32.23, N_c = 48.09 and N_γ = 33.27
-//! that are printed there (Akin, University of Maryland). Prandtl's N_c and Reissner's N_q, in use elsewhere, are about a
-//! fifth smaller there. Local shear, for which Terzaghi reduces c and tan φ to two thirds, is not taken.
+//! that are printed there (Akin, University of Maryland). Prandtl's N_c and Reissner's N_q, in use elsewhere, are
+//! smaller. Local shear, for which Terzaghi reduces c and tan φ to two thirds, is not taken.
 //!
 //! Validity: the charts end at 50°; the factors grow without bound towards 90°.
 

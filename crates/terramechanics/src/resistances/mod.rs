@@ -16,14 +16,16 @@
 
 mod bearing;
 mod bulldozing;
-pub(crate) mod compaction;
+mod compaction;
 mod thrust;
 
 use std::fmt;
 
-use crate::caution::{Caution, SINKAGE_BEYOND_ESTIMATES, SLIP_GAIN_UNUSED, pressure_cautions, system_cautions};
+use crate::caution::{Caution, SINKAGE_BEYOND_ESTIMATES, SLIP_GAIN_UNUSED};
 use crate::contact::angle_at_depth;
-use crate::error::{Error, Fault, Parameter, Requirement};
+use crate::error::Error;
+use crate::outcome::{pressure_cautions, system_cautions};
+use crate::pressure_sinkage::PressureSinkage;
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
 
@@ -88,15 +90,12 @@ impl Resistances {
     ///
     /// # Errors
     /// [`Error::Invalid`] for a load not greater than 0; [`Error::SinkageOutsideWheel`] where the wheel would sink beyond its
-    /// axle; [`Error::NotFinite`] where a result overflows; what [`WheelOnSoil::rolling`] refuses at rest.
+    /// axle; [`Error::NotFinite`] where a result overflows; what [`WheelOnSoil::curve`] refuses at rest.
     pub fn of(system: &WheelOnSoil, load: f64, slip: Option<Slip>) -> Result<Self, Error> {
-        let requirement = Requirement::Positive;
-        if !requirement.holds(load) {
-            return Err(Error::Invalid(Fault { parameter: Parameter::NormalLoad, value: load, requirement }));
-        }
+        WheelOnSoil::NORMAL_LOAD.check(load).map_err(Error::Invalid)?;
         let WheelOnSoil { wheel, soil, .. } = system;
-        let at_rest = system.rolling(Slip::ROLLING)?;
-        let sinkage = match compaction::sinkage(&at_rest, load) {
+        let at_rest = system.curve(Slip::ROLLING)?;
+        let sinkage = match compaction::sinkage(wheel, &at_rest, load) {
             Ok(sinkage) => sinkage,
             Err(lacking) => {
                 let none = Err(lacking);
@@ -110,7 +109,7 @@ impl Resistances {
         let entry = angle_at_depth(sinkage / radius);
         let estimates = Self {
             rigid_wheel_sinkage: Ok(sinkage),
-            compaction: Ok(compaction::resistance(&at_rest, sinkage)),
+            compaction: Ok(compaction::resistance(wheel, &at_rest, sinkage)),
             bulldozing: bulldozing::resistance(wheel, soil, sinkage, entry),
             thrust: thrust::thrust(wheel, soil, load, entry, slip),
         };
@@ -128,8 +127,9 @@ impl Resistances {
     /// Reasons to take the estimates for `system` at `slip` with care.
     pub fn cautions(&self, system: &WheelOnSoil, slip: Option<Slip>) -> impl Iterator<Item = Caution> {
         let diameter = 2.0 * system.wheel.radius();
-        let exponent = system.soil.pressure_sinkage().exponent();
-        let slips = slip.is_some_and(|slip| slip != Slip::ROLLING && exponent.at(slip) != exponent.base);
+        let exponent = system.soil.pressure_sinkage().map(PressureSinkage::exponent);
+        let changes = |slip: Slip| exponent.is_some_and(|exponent| exponent.at(slip) != exponent.base);
+        let slips = slip.is_some_and(|slip| slip != Slip::ROLLING && changes(slip));
         let sinkage = self.rigid_wheel_sinkage.ok();
         let own = [sinkage.and_then(|sinkage| SINKAGE_BEYOND_ESTIMATES.of(sinkage / diameter)), SLIP_GAIN_UNUSED.when(slips)];
         pressure_cautions(system).chain(system_cautions(system)).chain(own.into_iter().flatten())

@@ -20,8 +20,13 @@ use crate::wheel::Wheel;
 
 /// Thrust H (N) under `load` W (N), on an arc of the entry angle (rad).
 pub(super) fn thrust(wheel: &Wheel, soil: &Soil, load: f64, entry: f64, slip: Option<Slip>) -> Result<f64, Lacking> {
-    let ShearLaw::JanosiHanamoto(law) = soil.shear() else { return Err(Lacking::JanosiHanamoto) };
+    let law = match soil.shear() {
+        Some(ShearLaw::JanosiHanamoto(law)) => Some(law),
+        Some(_) => return Err(Lacking::JanosiHanamoto),
+        None => None, // not even asked for where there is no slip
+    };
     let slip = slip.map(Slip::ratio).filter(|&ratio| ratio > 0.0).ok_or(Lacking::DrivingSlip)?;
+    let law = law.ok_or(Lacking::JanosiHanamoto)?;
     let (width, lugs) = (wheel.width(), wheel.lug_height());
     let length = wheel.radius() * entry;
     let cohesive = width * length * soil.cohesion() * (1.0 + 2.0 * lugs / width);

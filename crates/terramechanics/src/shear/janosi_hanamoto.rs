@@ -1,9 +1,13 @@
-//! How does shear strength build up where it does not fall again? Janosi & Hanamoto (1961); letter, Eq. (6).
+//! How does shear strength build up where it does not fall again? Janosi & Hanamoto (1961; source 9); letter, Eq. (6):
+//! E = 1 − exp(−j/K).
 //!
-//! Departure: Eq. (6) as printed divides r by an undefined V and, braking, would grow without bound; here r/K and an odd E
-//! (errata 2 and 11).
+//! Units: K in m. Validity: soils that shear without a hump; the letter takes it for all. Departure: Eq. (6) as printed divides r
+//! by an undefined V and, braking, would grow without bound; here r/K and an odd E (errata 2 and 11). The paper was not read.
 
 use super::saturation;
+use crate::law::Declared;
+use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
+use crate::sources::{Citation, JANOSI_HANAMOTO, LETTER};
 
 /// Janosi–Hanamoto's law: E = 1 − exp(−j/K).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,9 +17,49 @@ pub struct JanosiHanamoto {
 }
 
 impl JanosiHanamoto {
+    /// K.
+    pub const MODULUS: Parameter = Parameter {
+        name: "shear_modulus_m",
+        symbol: "K",
+        unit: "m",
+        meaning: "Shear deformation modulus.",
+        requirement: Requirement::Positive,
+        least: 1e-6,
+        most: 10.0,
+        presence: Presence::Required,
+    };
+
+    pub(super) fn scale(&self) -> f64 {
+        self.modulus
+    }
+
+    pub(super) fn residual(&self) -> f64 {
+        1.0
+    }
+
     /// E at x = |j|/K: in [0, 1]. Eq. (6).
     #[inline]
-    pub(super) fn mobilisation(x: f64) -> f64 {
+    pub(super) fn rise(&self, x: f64) -> f64 {
         saturation(x)
     }
+}
+
+impl Parametrised for JanosiHanamoto {
+    const PARAMETERS: &'static [Parameter] = &[Self::MODULUS];
+
+    fn from_values(values: &[Option<f64>]) -> Option<Self> {
+        let &[modulus] = values else { return None };
+        Some(Self { modulus: modulus? })
+    }
+
+    fn values(&self) -> Vec<Option<f64>> {
+        vec![Some(self.modulus)]
+    }
+}
+
+impl Declared for JanosiHanamoto {
+    const NAME: &'static str = "janosi_hanamoto";
+    const DOC: &'static str = "Janosi–Hanamoto's law: strength builds up to its full value and stays there.";
+    const FORMULA: &'static str = "E = 1 − exp(−j/K)";
+    const SOURCES: &'static [Citation] = &[JANOSI_HANAMOTO.cited(), LETTER.at("Eq. 6")];
 }

@@ -12,60 +12,53 @@ pub use janosi_hanamoto::JanosiHanamoto;
 pub use wong_peak::WongPeak;
 pub use wong_residual::WongResidual;
 
-use crate::error::{Parameter, Requirement};
+use crate::law::family;
 
-/// A shear law with its parameters.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ShearLaw {
-    /// Janosi & Hanamoto 1961: rises to the full strength and stays there.
-    JanosiHanamoto(JanosiHanamoto),
-    /// Wong: a hump, then a residual strength.
-    WongResidual(WongResidual),
-    /// Wong: a peak, then decay to nothing.
-    WongPeak(WongPeak),
+family! {
+    /// A shear law with its parameters.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub enum ShearLaw {
+        /// Janosi & Hanamoto 1961: rises to the full strength and stays there.
+        JanosiHanamoto(JanosiHanamoto),
+        /// Wong: a hump, then a residual strength.
+        WongResidual(WongResidual),
+        /// Wong: a peak, then decay to nothing.
+        WongPeak(WongPeak),
+    }
+
+    /// The displacement (m) by which the law scales.
+    #[must_use]
+    pub fn scale(&self) -> f64;
+
+    /// E (–) after an endless displacement: what a locked wheel leaves, with the sign turned.
+    #[must_use]
+    pub fn residual(&self) -> f64;
+
+    /// E (–) at a displacement of one sign, given in units of [`ShearLaw::scale`].
+    fn rise(&self, x: f64) -> f64;
 }
 
 impl ShearLaw {
-    /// The displacement (m) by which the law scales.
-    pub(crate) fn scale(&self) -> f64 {
-        match self {
-            Self::JanosiHanamoto(law) => law.modulus,
-            Self::WongResidual(law) => law.peak_displacement,
-            Self::WongPeak(law) => law.peak_displacement,
-        }
+    /// E (–), the mobilised share of the shear strength, at a shear displacement j (m); it has the sign of j. Eq. (6).
+    ///
+    /// ```
+    /// use terramechanics::{JanosiHanamoto, ShearLaw, WongPeak};
+    /// // By hand: 1 − 1/e at j = K.
+    /// let sand = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.01 });
+    /// assert!((sand.mobilised_share(0.01) - 0.632_120_558_828_557_7).abs() < 1e-15);
+    /// // By hand: 2/e at twice the displacement of the peak, against the motion.
+    /// let mat = ShearLaw::WongPeak(WongPeak { peak_displacement: 0.02 });
+    /// assert!((mat.mobilised_share(-0.04) + 0.735_758_882_342_884_6).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn mobilised_share(&self, displacement: f64) -> f64 {
+        self.mobilisation(displacement / self.scale())
     }
 
     /// E (–) at a shear displacement given in units of [`ShearLaw::scale`]; odd.
     #[inline]
     pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
-        let x = displacement.abs();
-        let share = match self {
-            Self::JanosiHanamoto(_) => JanosiHanamoto::mobilisation(x),
-            Self::WongResidual(law) => law.mobilisation(x),
-            Self::WongPeak(_) => WongPeak::mobilisation(x),
-        };
-        share.copysign(displacement)
-    }
-
-    /// E (–) after an endless displacement: what a locked wheel leaves, with the sign turned.
-    pub(crate) fn residual(&self) -> f64 {
-        match self {
-            Self::JanosiHanamoto(_) => 1.0,
-            Self::WongResidual(law) => law.residual_ratio,
-            Self::WongPeak(_) => 0.0,
-        }
-    }
-
-    /// What every parameter of the law has to satisfy.
-    pub(crate) fn requirements(&self) -> Vec<(Parameter, f64, Requirement)> {
-        match *self {
-            Self::JanosiHanamoto(law) => vec![(Parameter::ShearModulus, law.modulus, Requirement::Positive)],
-            Self::WongResidual(law) => vec![
-                (Parameter::ResidualRatio, law.residual_ratio, Requirement::Within { min: f64::MIN_POSITIVE, max: 1.0 }),
-                (Parameter::PeakDisplacement, law.peak_displacement, Requirement::Positive),
-            ],
-            Self::WongPeak(law) => vec![(Parameter::PeakDisplacement, law.peak_displacement, Requirement::Positive)],
-        }
+        self.rise(displacement.abs()).copysign(displacement)
     }
 }
 

@@ -14,6 +14,7 @@
 //!   alone is.
 
 mod findings;
+mod reached;
 mod refusal;
 mod sample;
 mod tally;
@@ -21,13 +22,14 @@ mod tally;
 pub use sample::{Channel, Measured, Sample, SampleMotion, Status, TrackRow};
 pub use tally::{CautionTally, CulpritTally, Tally};
 
-use crate::caution::{Outcome, cautions};
-use crate::coupled::{Coupled, CoupledForces};
-use crate::error::{Error, InvalidInput};
+use crate::error::Error;
 use crate::events::{Event, EventKind, Thresholds, Watch};
+use crate::fault::InvalidInput;
 use crate::operation::{Operation, Sinkage};
-use crate::slip::{Heading, Motion, Slip};
-use refusal::{Refused, positive, present};
+use crate::outcome::cautions;
+use crate::slip::Heading;
+use reached::{Reached, Uncoupled};
+use refusal::{Refused, present};
 use tally::CompensatedSum;
 
 /// Follows a wheel over time.
@@ -57,20 +59,6 @@ pub struct Tracker {
 /// Events that are kept; a run with more is told how many there were.
 const MOST_EVENTS: usize = 1000;
 
-/// What one sample gives where it is good.
-struct Reached {
-    row: TrackRow,
-    outcome: Outcome,
-    heading: Heading,
-    coupled: Option<Result<CoupledForces, Uncoupled>>,
-}
-
-/// Why there is no pull by the coupled form.
-enum Uncoupled {
-    Missing { torque: bool, load: bool },
-    Unsolved(Error),
-}
-
 impl Tracker {
     /// A tracker at its start, by the wheel, the soil and the method of `operation`; how the sinkage is known, each sample says.
     ///
@@ -85,8 +73,8 @@ impl Tracker {
     /// #     soil: Soil::new(SoilParams {
     /// #         cohesion: 0.0,
     /// #         friction_angle: 0.478,
-    /// #         shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
-    /// #         pressure_sinkage: PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent }),
+    /// #         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
+    /// #         pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent })),
     /// #         unit_weight: None,
     /// #         lateral_shear_modulus: None,
     /// #     })?,
@@ -167,88 +155,6 @@ impl Tracker {
             return Err(Refused { status: Status::TimeBackwards, error: None, culprit: None });
         }
         Ok(())
-    }
-
-    /// The operating point of a sample; its slip is told as well where there is no more than that.
-    fn reached(&self, sample: &Sample, slip: &mut f64) -> Result<Reached, Refused> {
-        let (motion, angular) = self.motion(&sample.motion)?;
-        *slip = motion.slip.ratio();
-        match sample.sinkage {
-            Sinkage::Given(sinkage) => {
-                positive(Channel::Sinkage, sinkage)?;
-                if sinkage > self.operation.system.wheel.radius() {
-                    return Err(Refused::out_of_range(Channel::Sinkage, sinkage));
-                }
-            }
-            Sinkage::CarryingLoad(load) => positive(Channel::NormalLoad, load)?,
-            Sinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
-        }
-        let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
-        let operation = Operation { sinkage: sample.sinkage, ..self.operation };
-        let point = operation.at(motion.slip).map_err(unsolved)?;
-        let forces = point.forces.heading(motion.heading);
-        let wheel = &operation.system.wheel;
-        let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
-        if power.is_infinite() {
-            return Err(unsolved(Error::NotFinite));
-        }
-        let efficiency = || forces.tractive_efficiency(wheel, motion.slip, motion.heading);
-        let row = TrackRow {
-            time: sample.time,
-            slip: *slip,
-            sinkage: point.sinkage,
-            longitudinal: forces.longitudinal,
-            normal: forces.normal,
-            torque: forces.torque,
-            drawbar_coefficient: forces.drawbar_coefficient().unwrap_or(f64::NAN),
-            tractive_efficiency: if motion.at_rest { None } else { efficiency() }.unwrap_or(f64::NAN), // 0/0 at rest
-            power,
-            energy: f64::NAN,
-            longitudinal_coupled: f64::NAN,
-            status: if motion.at_rest { Status::Static } else { Status::Ok },
-        };
-        let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
-        Ok(Reached { row, outcome: Outcome::from(&point), heading: motion.heading, coupled })
-    }
-
-    /// Slip and heading, and the angular velocity (rad/s) where it is known.
-    fn motion(&self, motion: &SampleMotion) -> Result<(Motion, Option<f64>), Refused> {
-        match *motion {
-            SampleMotion::Slip(ratio) => {
-                if ratio.is_nan() {
-                    return Err(Refused::missing(Channel::Slip));
-                }
-                let culprit = Some((Channel::Slip, ratio));
-                let beyond = |error| Refused { status: Status::SlipOutOfRange, error: Some(error), culprit };
-                Ok((Motion::forward(Slip::new(ratio).map_err(beyond)?), None))
-            }
-            SampleMotion::Velocities(velocities) => {
-                present(Channel::ForwardVelocity, velocities.forward)?;
-                present(Channel::AngularVelocity, velocities.angular)?;
-                let motion = Motion::of(&self.operation.system.wheel, velocities).map_err(|error| {
-                    let opposite = matches!(error, Error::OppositeRotation { .. });
-                    let status = if opposite { Status::OppositeRotation } else { Status::OutOfRange };
-                    Refused { status, error: Some(error), culprit: None }
-                })?;
-                Ok((motion, Some(velocities.angular)))
-            }
-        }
-    }
-
-    /// What follows from the measured torque and load, of the wheel moving forward.
-    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<CoupledForces, Uncoupled> {
-        let (torque, load) = (measured.torque.is_nan(), measured.normal_load.is_nan());
-        if torque || load {
-            return Err(Uncoupled::Missing { torque, load });
-        }
-        let known = Coupled {
-            normal_load: measured.normal_load,
-            torque: Some(motion.heading.as_forward(measured.torque)),
-            normal_stress_radius: self.operation.model.normal_stress_radius,
-        };
-        let rolling = self.operation.system.rolling(motion.slip);
-        let forces = rolling.and_then(|rolling| known.forces(&rolling.contact(sinkage)?));
-        forces.map_err(Uncoupled::Unsolved)
     }
 
     /// Adds the energy up to a good sample, and what the run remembers of it.

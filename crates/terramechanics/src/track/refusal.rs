@@ -21,7 +21,7 @@ impl Refused {
     }
 }
 
-/// That a value is there and finite.
+/// Refuses a value that is missing or infinite.
 pub(super) fn present(channel: Channel, value: f64) -> Result<(), Refused> {
     if value.is_nan() {
         Err(Refused::missing(channel))
@@ -32,7 +32,7 @@ pub(super) fn present(channel: Channel, value: f64) -> Result<(), Refused> {
     }
 }
 
-/// That a value is there, finite and greater than 0.
+/// Refuses a value that is missing, infinite or not greater than 0.
 pub(super) fn positive(channel: Channel, value: f64) -> Result<(), Refused> {
     present(channel, value)?;
     if value > 0.0 { Ok(()) } else { Err(Refused::out_of_range(channel, value)) }

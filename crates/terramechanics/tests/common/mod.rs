@@ -5,7 +5,7 @@ use serde_json::Value;
 use terramechanics::{
     Bekker, Contact, ContactParams, Diameter, Direct, ForceModel, Forces, JanosiHanamoto, Lambda, Method, NormalStressRadius,
     PeakDepth, PeakRule, PressureSinkage, Reece, ShearLaw, SinkageExponent, Slip, Soil, SoilParams, Wheel, WheelOnSoil,
-    WheelParams, WongPeak, WongResidual,
+    WheelParams, WongPeak, WongReece, WongResidual,
 };
 
 /// The letter's wheel and soil (its Fig. 1b), as parameters to vary.
@@ -15,8 +15,8 @@ pub(crate) const LETTER_LAW: Bekker =
 pub(crate) const LETTER_SOIL: SoilParams = SoilParams {
     cohesion: 0.0,
     friction_angle: 0.478,
-    shear: ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 }),
-    pressure_sinkage: PressureSinkage::Bekker(LETTER_LAW),
+    shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
+    pressure_sinkage: Some(PressureSinkage::Bekker(LETTER_LAW)),
     unit_weight: None,
     lateral_shear_modulus: None,
 };
@@ -50,7 +50,7 @@ pub(crate) fn cases(text: &str) -> Vec<Value> {
     }
 }
 
-pub(crate) const REFERENCE_CASES: &str = include_str!("../fixtures/reference_cases.json");
+pub(crate) const REFERENCE_CASES: &str = include_str!("../reference/reference_cases.json");
 pub(crate) const SIDE_FORCE_CASES: &str = include_str!("../reference/side_force_cases.json");
 pub(crate) const EDGE_CASES: &str = include_str!("../reference/edge_cases.json");
 
@@ -77,7 +77,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
     };
     let peak_rule = match rule["rule"].as_str() {
         Some("midpoint") | None => PeakRule::Midpoint,
-        Some("wong_reece") => PeakRule::WongReece { c1: required(rule, "c1"), c2: required(rule, "c2") },
+        Some("wong_reece") => PeakRule::WongReece(WongReece { c1: required(rule, "c1"), c2: required(rule, "c2") }),
         Some("half_sinkage") => PeakRule::HalfSinkage,
         other => panic!("no rule {other:?}"),
     };
@@ -101,8 +101,8 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
         SoilParams {
             cohesion: required(soil, "cohesion_pa"),
             friction_angle: required(soil, "friction_angle_rad"),
-            shear,
-            pressure_sinkage,
+            shear: Some(shear),
+            pressure_sinkage: Some(pressure_sinkage),
             unit_weight: soil.get("unit_weight_n_m3").and_then(Value::as_f64),
             lateral_shear_modulus: soil.get("lateral_shear_modulus_m").and_then(Value::as_f64),
         },

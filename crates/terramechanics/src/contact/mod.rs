@@ -1,25 +1,47 @@
-//! Where does the wheel touch the soil, and where are the stresses largest? (letter, Eqs. 3, 8, 13; Wong & Reece 1967)
+//! Where does the wheel touch the soil, and where are the stresses largest? (letter, Eqs. 3, 8, 13)
 //!
 //! Departure: Eq. (13) as printed halves the entry angle; Eq. (3) at θ = 0 gives θ1 = arccos(1 − z/r) (erratum 7).
 
+mod half_sinkage;
+mod midpoint;
+mod wong_reece;
+
+pub use half_sinkage::HalfSinkage;
+pub use midpoint::Midpoint;
+pub use wong_reece::WongReece;
+
 use crate::braking::Braking;
-use crate::error::{Error, InvalidInput, Parameter, Requirement};
+use crate::error::Error;
+use crate::fault::InvalidInput;
+use crate::law::family;
+use crate::parameter::{Parameter, Presence, Requirement};
 use crate::slip::Slip;
 
-/// Rule for the angle of maximum stress θm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum PeakRule {
-    /// θm = (θ1 + θ2)/2. Shibly et al. 2005.
-    Midpoint,
-    /// θm = (c1 + c2 s) θ1. Wong & Reece 1967.
-    WongReece {
-        /// c1 (–).
-        c1: f64,
-        /// c2, the gain with slip (–).
-        c2: f64,
-    },
-    /// θm = arccos(1 − z/(2r)): half of the sinkage lies above the peak, which makes Eq. (8) exact.
-    HalfSinkage,
+family! {
+    /// Rule for the angle of maximum stress θm.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub enum PeakRule {
+        /// θm = (θ1 + θ2)/2. Shibly et al. 2005.
+        Midpoint,
+        /// θm = (c1 + c2 s) θ1. Wong & Reece 1967.
+        WongReece(WongReece),
+        /// θm = arccos(1 − z/(2r)): half of the sinkage lies above the peak, which makes Eq. (8) exact.
+        HalfSinkage,
+    }
+
+    /// θm (rad) in a contact; the rule does not look whether it lies inside.
+    fn peak(&self, arc: &ContactArc) -> f64;
+}
+
+/// A contact, as far as the rules for its peak ask.
+struct ContactArc {
+    /// Entry angle θ1 (rad).
+    entry: f64,
+    /// Exit angle θ2 (rad).
+    exit: f64,
+    /// z/r (–).
+    depth_ratio: f64,
+    slip: Slip,
 }
 
 /// Parameters of the contact.
@@ -54,20 +76,27 @@ impl Contact {
     pub const MIDPOINT: Self =
         Self { params: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 }, braking: Braking::OneZone };
 
+    /// c3.
+    pub const EXIT_RATIO: Parameter = Parameter {
+        name: "c3",
+        symbol: "c3",
+        unit: "1",
+        meaning: "Ratio of the exit angle to the entry angle; negative where the contact reaches behind the lowest point.",
+        requirement: Requirement::FromUpTo { min: -1.0, limit: 1.0 },
+        least: -1.0,
+        most: 0.6,
+        presence: Presence::Default(0.0),
+    };
+
+    /// What a contact has besides the parameters of its rule.
+    pub const PARAMETERS: &'static [Parameter] = &[Self::EXIT_RATIO];
+
     /// Checks the parameters. A braking wheel has one zone, see [`Contact::with_braking`].
     ///
     /// # Errors
     /// Every parameter that is not finite, and an exit ratio outside [−1, 1).
     pub fn new(params: ContactParams) -> Result<Self, InvalidInput> {
-        let exit = (Parameter::ExitRatio, params.exit_ratio, Requirement::FromUpTo { min: -1.0, limit: 1.0 });
-        match params.rule {
-            PeakRule::WongReece { c1, c2 } => InvalidInput::check(&[
-                (Parameter::PeakIntercept, c1, Requirement::Finite),
-                (Parameter::PeakSlipGain, c2, Requirement::Finite),
-                exit,
-            ])?,
-            PeakRule::Midpoint | PeakRule::HalfSinkage => InvalidInput::check(&[exit])?,
-        }
+        InvalidInput::check(params.rule.parameters().chain([(&Self::EXIT_RATIO, params.exit_ratio)]))?;
         Ok(Self { params, braking: Braking::OneZone })
     }
 
@@ -110,11 +139,7 @@ impl Contact {
     pub fn angles(&self, depth_ratio: f64, slip: Slip) -> Result<Angles, Error> {
         let entry = angle_at_depth(depth_ratio); // Eq. (13), corrected
         let exit = self.params.exit_ratio * entry;
-        let peak = match self.params.rule {
-            PeakRule::Midpoint => 0.5 * (entry + exit),
-            PeakRule::WongReece { c1, c2 } => (c1 + c2 * slip.ratio()) * entry,
-            PeakRule::HalfSinkage => angle_at_depth(0.5 * depth_ratio), // Eq. (8)
-        };
+        let peak = self.params.rule.peak(&ContactArc { entry, exit, depth_ratio, slip });
         if exit < peak && peak < entry {
             Ok(Angles { entry, peak, exit })
         } else {

@@ -1,0 +1,40 @@
+//! Where is the stress largest, if half of the sinkage lies above that place? θm = arccos(1 − z/(2r)), which makes the letter's
+//! Eq. (8), z(θm) ≈ z/2, exact.
+//!
+//! Validity: that of Eq. (8), which the letter gives without a range. Departure: the letter takes Eq. (8) for an approximation
+//! wherever the peak lies; here the peak is placed so that it holds.
+
+use super::{ContactArc, angle_at_depth};
+use crate::law::Declared;
+use crate::parameter::{Parameter, Parametrised};
+use crate::sources::{Citation, LETTER};
+
+/// The peak where half of the sinkage lies above it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HalfSinkage;
+
+impl HalfSinkage {
+    #[inline]
+    pub(super) fn peak(&self, arc: &ContactArc) -> f64 {
+        angle_at_depth(0.5 * arc.depth_ratio) // Eq. (8)
+    }
+}
+
+impl Parametrised for HalfSinkage {
+    const PARAMETERS: &'static [Parameter] = &[];
+
+    fn from_values(values: &[Option<f64>]) -> Option<Self> {
+        values.is_empty().then_some(Self)
+    }
+
+    fn values(&self) -> Vec<Option<f64>> {
+        Vec::new()
+    }
+}
+
+impl Declared for HalfSinkage {
+    const NAME: &'static str = "half_sinkage";
+    const DOC: &'static str = "The peak lies where half of the sinkage is above it.";
+    const FORMULA: &'static str = "θm = arccos(1 − z/(2r))";
+    const SOURCES: &'static [Citation] = &[LETTER.at("Eq. 8")];
+}

@@ -1,0 +1,98 @@
+//! When does a result leave the range in which its model was tested?
+
+use crate::caution::{
+    BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, Caution, DEEP_SINKAGE, INTEGRATION_ERROR, LOAD_RESIDUAL, LOW_GRAVITY,
+    LUG_HEIGHT_ASSUMED, PEAK_RULE_SET_ASIDE, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
+};
+use crate::forces::Method;
+use crate::lateral::Bulldozing;
+use crate::operation::{OperatingPoint, Operation, Sinkage};
+use crate::pressure_sinkage::PressureSinkage;
+use crate::rolling::WheelOnSoil;
+use crate::slip::Slip;
+
+/// What a caution is judged by, besides the operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// The slip.
+    pub slip: Slip,
+    /// Sinkage z (m).
+    pub sinkage: f64,
+    /// Normal force F_z (N), where it is known.
+    pub normal: Option<f64>,
+    /// Estimate of the relative error of the integrals (–).
+    pub integration_error: f64,
+    /// Share of the pressure on the side wall that is mobilised (–), where a slip angle was asked for.
+    pub mobilised_share: Option<f64>,
+}
+
+impl From<&OperatingPoint> for Outcome {
+    fn from(point: &OperatingPoint) -> Self {
+        let OperatingPoint { slip, sinkage, forces, .. } = point;
+        Self {
+            slip: *slip,
+            sinkage: *sinkage,
+            normal: Some(forces.normal),
+            integration_error: forces.integration_error,
+            mobilised_share: forces.side.map(|side| side.mobilised_share),
+        }
+    }
+}
+
+/// The cautions that apply to whatever is found of a wheel on a soil.
+pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
+    let low = system.soil.gravity().and_then(|gravity| LOW_GRAVITY.of(gravity));
+    [low, LUG_HEIGHT_ASSUMED.when(system.wheel.lug_height_is_assumed())].into_iter().flatten()
+}
+
+/// The cautions that apply where the pressure–sinkage law is used.
+pub(crate) fn pressure_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
+    let plate = system.plate();
+    system.soil.pressure_sinkage().map(|law| law.cautions(&plate)).into_iter().flatten().flatten()
+}
+
+/// The cautions that apply to the force across a wheel.
+fn side_cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> + use<> {
+    let Method::SideSlipping(side) = operation.model.method else { return [None, None].into_iter().flatten() };
+    let left_out = side.angle.angle() != 0.0 && operation.system.soil.unit_weight().is_none();
+    let counted = if side.bulldozing == Bulldozing::Full { outcome.mobilised_share } else { None };
+    let not_mobilised = counted.and_then(|share| BULLDOZING_NOT_MOBILISED.of(share));
+    [BULLDOZING_LEFT_OUT.when(left_out), not_mobilised].into_iter().flatten()
+}
+
+/// What the slip is beyond: the tests of the sinkage exponent's gain, where the soil has one.
+fn gain_cautions(system: &WheelOnSoil, slip: f64) -> [Option<Caution>; 2] {
+    let exponent = system.soil.pressure_sinkage().map(PressureSinkage::exponent);
+    let Some(exponent) = exponent.filter(|exponent| exponent.slip_gain != 0.0) else { return [None, None] };
+    let beyond = match system.soil.largest_fitted_slip() {
+        Some(largest) => SLIP_BEYOND_OWN_FIT.when(slip > largest),
+        None => SLIP_BEYOND_FIT.of(slip),
+    };
+    [beyond, if exponent.skid_gain.is_none() { SLIP_GAIN_EXTRAPOLATED.of(slip) } else { None }]
+}
+
+/// The cautions that apply to the outcome of `operation`.
+pub fn cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> {
+    let Operation { system, sinkage, .. } = operation;
+    let residual = match (sinkage, outcome.normal) {
+        (Sinkage::CarryingLoad(load), Some(normal)) => (normal - load).abs() / load,
+        _ => 0.0,
+    };
+    let [beyond_gain, braking_gain] = gain_cautions(system, outcome.slip.ratio());
+    let [beyond_law, braking_law] = match sinkage {
+        Sinkage::FromStatic { law, .. } => law.cautions(outcome.slip),
+        Sinkage::Given(_) | Sinkage::CarryingLoad(_) => [None, None],
+    };
+    let of_outcome = [
+        DEEP_SINKAGE.of(outcome.sinkage / system.wheel.radius()),
+        beyond_gain,
+        beyond_law,
+        braking_gain,
+        braking_law,
+        PEAK_RULE_SET_ASIDE.when(!outcome.slip.is_driving() && system.contact.sets_rule_aside()),
+        INTEGRATION_ERROR.of(outcome.integration_error),
+        LOAD_RESIDUAL.of(residual),
+    ];
+    let across = side_cautions(operation, outcome);
+    pressure_cautions(system).chain(system_cautions(system)).chain(of_outcome.into_iter().flatten()).chain(across)
+}

@@ -1,0 +1,107 @@
+//! What one sample gives by itself.
+
+use super::refusal::{Refused, positive, present};
+use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
+use crate::coupled::{Coupled, CoupledForces};
+use crate::error::Error;
+use crate::operation::{Operation, Sinkage};
+use crate::outcome::Outcome;
+use crate::slip::{Heading, Motion, Slip};
+
+/// What one sample gives where it is good.
+pub(super) struct Reached {
+    pub(super) row: TrackRow,
+    pub(super) outcome: Outcome,
+    pub(super) heading: Heading,
+    pub(super) coupled: Option<Result<CoupledForces, Uncoupled>>,
+}
+
+/// Why there is no pull by the coupled form.
+pub(super) enum Uncoupled {
+    Missing { torque: bool, load: bool },
+    Unsolved(Error),
+}
+
+impl Tracker {
+    /// The operating point of a sample; its slip is told as well where there is no more than that.
+    pub(super) fn reached(&self, sample: &Sample, slip: &mut f64) -> Result<Reached, Refused> {
+        let (motion, angular) = self.motion(&sample.motion)?;
+        *slip = motion.slip.ratio();
+        match sample.sinkage {
+            Sinkage::Given(sinkage) => {
+                positive(Channel::Sinkage, sinkage)?;
+                if sinkage > self.operation.system.wheel.radius() {
+                    return Err(Refused::out_of_range(Channel::Sinkage, sinkage));
+                }
+            }
+            Sinkage::CarryingLoad(load) => positive(Channel::NormalLoad, load)?,
+            Sinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
+        }
+        let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
+        let operation = Operation { sinkage: sample.sinkage, ..self.operation };
+        let point = operation.at(motion.slip).map_err(unsolved)?;
+        let forces = point.forces.heading(motion.heading);
+        let wheel = &operation.system.wheel;
+        let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
+        if power.is_infinite() {
+            return Err(unsolved(Error::NotFinite));
+        }
+        let efficiency = || forces.tractive_efficiency(wheel, motion.slip, motion.heading);
+        let row = TrackRow {
+            time: sample.time,
+            slip: *slip,
+            sinkage: point.sinkage,
+            longitudinal: forces.longitudinal,
+            normal: forces.normal,
+            torque: forces.torque,
+            drawbar_coefficient: forces.drawbar_coefficient().unwrap_or(f64::NAN),
+            tractive_efficiency: if motion.at_rest { None } else { efficiency() }.unwrap_or(f64::NAN), // 0/0 at rest
+            power,
+            energy: f64::NAN,
+            longitudinal_coupled: f64::NAN,
+            status: if motion.at_rest { Status::Static } else { Status::Ok },
+        };
+        let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
+        Ok(Reached { row, outcome: Outcome::from(&point), heading: motion.heading, coupled })
+    }
+
+    /// Slip and heading, and the angular velocity (rad/s) where it is known.
+    fn motion(&self, motion: &SampleMotion) -> Result<(Motion, Option<f64>), Refused> {
+        match *motion {
+            SampleMotion::Slip(ratio) => {
+                if ratio.is_nan() {
+                    return Err(Refused::missing(Channel::Slip));
+                }
+                let culprit = Some((Channel::Slip, ratio));
+                let beyond = |error| Refused { status: Status::SlipOutOfRange, error: Some(error), culprit };
+                Ok((Motion::forward(Slip::new(ratio).map_err(beyond)?), None))
+            }
+            SampleMotion::Velocities(velocities) => {
+                present(Channel::ForwardVelocity, velocities.forward)?;
+                present(Channel::AngularVelocity, velocities.angular)?;
+                let motion = Motion::of(&self.operation.system.wheel, velocities).map_err(|error| {
+                    let opposite = matches!(error, Error::OppositeRotation { .. });
+                    let status = if opposite { Status::OppositeRotation } else { Status::OutOfRange };
+                    Refused { status, error: Some(error), culprit: None }
+                })?;
+                Ok((motion, Some(velocities.angular)))
+            }
+        }
+    }
+
+    /// What follows from the measured torque and load, of the wheel moving forward.
+    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<CoupledForces, Uncoupled> {
+        let (torque, load) = (measured.torque.is_nan(), measured.normal_load.is_nan());
+        if torque || load {
+            return Err(Uncoupled::Missing { torque, load });
+        }
+        let known = Coupled {
+            normal_load: measured.normal_load,
+            torque: Some(motion.heading.as_forward(measured.torque)),
+            normal_stress_radius: self.operation.model.normal_stress_radius,
+        };
+        let rolling = self.operation.system.rolling(motion.slip);
+        let forces = rolling.and_then(|rolling| known.forces(&rolling.contact(sinkage)?));
+        forces.map_err(Uncoupled::Unsolved)
+    }
+}

@@ -1,0 +1,131 @@
+//! How far has the soil been sheared in the two zones of a braking wheel? Wong & Reece 1967, part II, source 21.
+//!
+//! | quantity | here |
+//! |---|---|
+//! | ahead of θ0: j = r κ [(θ1 − θ) (sin θ1 − sin θ0)/(θ1 − θ0) − (sin θ1 − sin θ)] | [`Zones::displacement_ahead`] |
+//! | behind it: j = r [(θ0 − θ) − κ (sin θ0 − sin θ)] | [`Zones::displacement_behind`] |
+//!
+//! The paper's 1 + i is κ = 1/(1 + s) here, and its K_v is put in. The displacements were not read in the paper: two public
+//! implementations agree on them (Madsen's of 2013, Pavlov & Johnson's of 2022). What was derived and checked: j ahead is r κ
+//! times the height of sin θ above its chord, so it is 0 at both ends and positive between. j behind falls from 0 at θ0, because
+//! κ cos θ0 − 1 = κ m sin θ0 > 0 with m = tan(π/4 − φ/2), and turns only behind θ = −arccos(1 + s). The paper takes |j| and puts
+//! the signs into its integrals; with the signs of j the letter's integrals (10) are the paper's W, towing force and torque.
+//!
+//! On a locked wheel E is what an endless displacement leaves, + ahead and − behind.
+
+use crate::numerics::circular::{ArcMeans, HalfArc};
+use crate::rim::RimPoint;
+use crate::rolling::Rolling;
+
+/// The two zones of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Zones {
+    /// θ0 (rad).
+    reversal: f64,
+    /// (θ1 − θ0)/2 (rad).
+    half_front: f64,
+    sin: f64,
+    cos: f64,
+}
+
+impl Zones {
+    /// The zones of a contact that enters the soil at `entry` and parts at `reversal` (rad).
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn new(entry: f64, reversal: f64) -> Self {
+        Self { reversal, half_front: 0.5 * (entry - reversal), sin: reversal.sin(), cos: reversal.cos() }
+    }
+
+    /// E (–) at a place of the rim on either side of θ0.
+    pub(crate) fn mobilisation(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+        if point.half_arc < self.half_front {
+            self.mobilisation_ahead(rolling, point)
+        } else {
+            self.mobilisation_behind(rolling, point)
+        }
+    }
+
+    /// E (–) ahead of θ0.
+    #[inline]
+    pub(crate) fn mobilisation_ahead(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+        if rolling.slip.is_locked() {
+            rolling.shear().residual()
+        } else {
+            rolling.mobilisation(self.displacement_ahead(rolling, point))
+        }
+    }
+
+    /// E (–) behind θ0; 0 at it.
+    #[inline]
+    pub(crate) fn mobilisation_behind(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+        if !rolling.slip.is_locked() {
+            rolling.mobilisation(self.displacement_behind(rolling, point))
+        } else if point.half_arc > self.half_front {
+            -rolling.shear().residual()
+        } else {
+            0.0
+        }
+    }
+
+    /// j (m) at a place of the rim on a wheel that turns; without end on one that does not.
+    pub(crate) fn displacement(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+        let ahead = point.half_arc < self.half_front;
+        if rolling.slip.is_locked() {
+            let behind = point.half_arc > self.half_front;
+            if ahead {
+                f64::INFINITY
+            } else if behind {
+                f64::NEG_INFINITY
+            } else {
+                0.0
+            }
+        } else if ahead {
+            self.displacement_ahead(rolling, point)
+        } else {
+            self.displacement_behind(rolling, point)
+        }
+    }
+
+    /// j (m) ahead of θ0.
+    ///
+    /// With the half arcs x to the entry and y to θ0, the height of sin θ above its chord is
+    /// (x + y)⁻¹ {2 sin θ [x sin² y + y sin² x] + cos θ [y (2x − sin 2x) − x (2y − sin 2y)]}: nothing large cancels.
+    #[inline]
+    fn displacement_ahead(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+        let x = HalfArc::of(point.half_arc);
+        let (half_arc, rest) = (point.half_arc, self.half_front - point.half_arc);
+        let y = HalfArc::of(rest);
+        // 2x − sin 2x = 2 (x − sin x) + 2 sin x (1 − cos x).
+        let double_excess = |arc: &HalfArc| 2.0 * (arc.excess + arc.sin * (arc.sin * arc.sin / (1.0 + arc.cos)));
+        let rise = 2.0 * point.sin * (half_arc * y.sin * y.sin + rest * x.sin * x.sin);
+        let tilt = point.cos * (rest * double_excess(&x) - half_arc * double_excess(&y));
+        rolling.velocity_ratio().0 * rolling.system.wheel.radius() * (rise + tilt) / self.half_front
+    }
+
+    /// j (m) behind θ0: that of a driving wheel whose contact begins at θ0.
+    #[inline]
+    fn displacement_behind(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+        let (ratio, complement) = rolling.velocity_ratio();
+        let half_arc = point.half_arc - self.half_front;
+        let HalfArc { sin, cos, excess } = HalfArc::of(half_arc);
+        let sin_middle = self.sin * cos - self.cos * sin;
+        let cos_middle = self.cos * cos + self.sin * sin;
+        let one_minus_cos_middle = sin_middle * sin_middle / (1.0 + cos_middle);
+        2.0 * rolling.system.wheel.radius() * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle))
+    }
+
+    /// Arcs (rad) over which E changes behind the entry, ahead of θ0 and behind it: the displacement by which its law scales,
+    /// over |dj/dθ| there, in a contact of that sinkage (m). Infinite on a locked wheel, whose E is constant on each side.
+    pub(crate) fn shear_layers(&self, rolling: &Rolling<'_>, sinkage: f64) -> [f64; 3] {
+        if rolling.slip.is_locked() {
+            return [f64::INFINITY; 3];
+        }
+        let (ratio, complement) = rolling.velocity_ratio();
+        let wheel = &rolling.system.wheel;
+        let chord = ArcMeans::over(self.reversal + self.half_front, self.half_front).one_minus_cos; // 1 − mean of cos
+        let at_entry = ratio * (sinkage / wheel.radius() - chord);
+        let one_minus_cos = self.sin * self.sin / (1.0 + self.cos);
+        let at_reversal = [ratio * (chord - one_minus_cos), complement + ratio * one_minus_cos];
+        [at_entry, at_reversal[0], at_reversal[1]].map(|growth| rolling.shear().scale() / (wheel.radius() * growth.abs()))
+    }
+}
