@@ -224,7 +224,7 @@ pub fn check_environment(names: impl Iterator<Item = String>) -> Result<(), Stri
     for name in names.filter(|name| name.starts_with(PREFIX)) {
         if !known.contains(&name.as_str()) {
             let hint =
-                crate::wire::nearest(&name, &known).map_or_else(|| known.join(", "), |near| format!("did you mean {near}?"));
+                crate::words::nearest(&name, &known).map_or_else(|| known.join(", "), |near| format!("did you mean {near}?"));
             return Err(format!("unknown setting in the environment: {name}; {hint}"));
         }
     }

@@ -13,7 +13,7 @@ use utoipa_swagger_ui::{Config, serve};
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::state::Service;
-use crate::wire::shortened;
+use terramechanics_reading::shortened;
 
 /// Swagger UI sets styles on its elements from scripts, which needs `'unsafe-inline'` for styles; scripts stay its own.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \

@@ -1,12 +1,13 @@
 //! What a handler takes from an HTTP request: a checked query, and the format of the answer.
 
-use std::cell::RefCell;
-
 use axum::body::Body;
 use axum::extract::{FromRequest, FromRequestParts};
 use axum::http::header::{ACCEPT, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, Request, Uri};
+use terramechanics_reading::{
+    Declared, Faults, Field, FieldFault, Kind, Node, Query, Scope, Unread, Word, fault_in_words, json, shortened,
+};
 use utoipa::IntoParams;
 use utoipa::openapi::path::{Parameter, ParameterIn};
 
@@ -15,10 +16,10 @@ use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::request::{self, checked};
 use crate::state::Service;
-use crate::wire::{self, Choice, Entry, FieldFault, Query, Scope, Spec, shortened};
+use crate::words::HINTS;
 
 /// A request body that was read and checked.
-pub(crate) struct Input<R: request::Request>(pub(crate) R::Query);
+pub(crate) struct Input<R>(pub(crate) R);
 
 impl<R: request::Request> FromRequest<Service> for Input<R> {
     type Rejection = Problem;
@@ -34,8 +35,8 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
 }
 
 /// A request that stands in the query of a GET, read and checked, and the format asked for.
-pub(crate) struct Asked<R: request::Request> {
-    pub(crate) query: R::Query,
+pub(crate) struct Asked<R> {
+    pub(crate) query: R,
     pub(crate) format: Format,
 }
 
@@ -44,10 +45,8 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
 
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
         let mut query = parsed(&parts.uri)?;
-        let faults = RefCell::default();
-        let format = asked_format(&mut query, &Scope::root(&faults));
-        let mut faults = faults.into_inner();
-        match checked(&query.read::<R>()) {
+        let (format, mut faults) = asked_format(&mut query);
+        match checked(&query.into_node()) {
             Ok(query) if faults.is_empty() => Ok(Self { query, format: format.unwrap_or_else(|| Format::of(&parts.headers)) }),
             Ok(_) => Err(Problem::Invalid(faults)),
             Err(more) => {
@@ -58,43 +57,42 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
     }
 }
 
-impl Query {
-    /// Refuses every parameter that is left.
-    fn refuse_all(&self, detail: &str) -> Result<(), Problem> {
-        let faults = RefCell::default();
-        self.names().for_each(|name| Scope::root(&faults).fault_of(&shortened(name), detail));
-        let faults = faults.into_inner();
-        if faults.is_empty() { Ok(()) } else { Err(Problem::Invalid(faults)) }
-    }
+/// Refuses every parameter that is left.
+fn refuse_all(query: &Query<'_>, detail: &str) -> Result<(), Problem> {
+    let faults = Faults::new(&HINTS);
+    query.names().for_each(|name| Scope::root(&faults).fault_of(&shortened(name), detail));
+    let faults = faults.into_list();
+    if faults.is_empty() { Ok(()) } else { Err(Problem::Invalid(faults)) }
 }
 
 /// The request object that a query stands for.
 ///
 /// # Errors
 /// [`Problem::Invalid`] where it has too many parameters.
-pub(crate) fn read_query<T: wire::Wire>(uri: &Uri) -> Result<wire::Field<T>, Problem> {
-    parsed(uri).map(Query::read)
+pub(crate) fn read_query(uri: &Uri) -> Result<Node<'_>, Problem> {
+    parsed(uri).map(Query::into_node)
 }
 
-fn parsed(uri: &Uri) -> Result<Query, Problem> {
-    Query::parse(uri.query().unwrap_or(""))
-        .map_err(|error| Problem::Invalid(vec![FieldFault { pointer: String::new(), detail: error.to_string() }]))
+fn parsed(uri: &Uri) -> Result<Query<'_>, Problem> {
+    Query::parse(uri.query().unwrap_or("")).map_err(|error| Problem::Invalid(vec![FieldFault::new("", error)]))
 }
 
-const FORMAT: Choice =
-    Choice { doc: "Format of the answer; else what the header Accept prefers.", words: || vec!["json", "csv"], default: None };
+const FORMAT: Field<Word<Format>> = Field::new(
+    "format",
+    "Format of the answer; else what the header Accept prefers.",
+    Word::new(&[("json", Format::Json), ("csv", Format::Csv)]),
+);
 
-/// The format that a query names.
-fn asked_format(query: &mut Query, root: &Scope<'_>) -> Option<Format> {
-    let (field, several) = query.take::<String>("format");
+/// The format that a query names, and what is wrong with it.
+fn asked_format(query: &mut Query<'_>) -> (Option<Format>, Vec<FieldFault>) {
+    let faults = Faults::new(&HINTS);
+    let root = Scope::root(&faults);
+    let (node, several) = query.take(FORMAT.name);
     if several {
-        root.field("format").fault("is given more than once");
+        root.field(FORMAT.name).fault("is given more than once");
     }
-    Entry { name: "format", field: &field, spec: &FORMAT }.looked_up(root, |word| match word {
-        "json" => Some(Format::Json),
-        "csv" => Some(Format::Csv),
-        _ => None,
-    })
+    let format = node.and_then(|node| FORMAT.kind.read(&node, root.field(FORMAT.name)));
+    (format, faults.into_list())
 }
 
 /// The parameter `format` for the contract.
@@ -103,19 +101,21 @@ pub(crate) struct FormatParameter;
 impl IntoParams for FormatParameter {
     fn into_params(_: impl Fn() -> Option<ParameterIn>) -> Vec<Parameter> {
         let mut found = Vec::new();
-        FORMAT.parameters("format", &mut found);
+        FORMAT.parameters("", &mut found);
         found
     }
 }
 
 /// Reads and checks a body.
-fn query<R: request::Request>(body: &[u8]) -> Result<R::Query, Problem> {
-    let field = wire::read::<R>(body).map_err(|error| Problem::NotJson {
-        detail: wire::fault_in_words(body, &error),
-        line: error.line(),
-        column: error.column(),
+fn query<R: request::Request>(body: &[u8]) -> Result<R, Problem> {
+    let node = json(body).map_err(|unread| match unread {
+        Unread::NotJson(error) => {
+            let (line, column) = (error.line(), error.column());
+            Problem::NotJson { detail: fault_in_words(body, &error), line, column }
+        }
+        Unread::TooMuch => Problem::Invalid(vec![FieldFault::new("", unread)]),
     })?;
-    checked(&field).map_err(Problem::Invalid)
+    checked(&node).map_err(Problem::Invalid)
 }
 
 /// Whether the body is declared as `application/json` or another type with the suffix `+json`.
@@ -152,8 +152,10 @@ impl<S: Sync> FromRequestParts<S> for Format {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
-        parsed(&parts.uri)?
-            .refuse_all("is not taken beside a body: fields stand in the body, and the header Accept chooses the format")?;
+        refuse_all(
+            &parsed(&parts.uri)?,
+            "is not taken beside a body: fields stand in the body, and the header Accept chooses the format",
+        )?;
         Ok(Self::of(&parts.headers))
     }
 }
@@ -166,13 +168,11 @@ impl<S: Sync> FromRequestParts<S> for AskedFormat {
 
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
         let mut query = parsed(&parts.uri)?;
-        let faults = RefCell::default();
-        let format = asked_format(&mut query, &Scope::root(&faults));
-        let faults = faults.into_inner();
+        let (format, faults) = asked_format(&mut query);
         if !faults.is_empty() {
             return Err(Problem::Invalid(faults));
         }
-        query.refuse_all("unknown parameter; known are format")?;
+        refuse_all(&query, "unknown parameter; known are format")?;
         Ok(Self(format.unwrap_or_else(|| Format::of(&parts.headers))))
     }
 }
@@ -184,7 +184,7 @@ impl<S: Sync> FromRequestParts<S> for NoQuery {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
-        parsed(&parts.uri)?.refuse_all("unknown parameter; there are none here").map(|()| Self)
+        refuse_all(&parsed(&parts.uri)?, "unknown parameter; there are none here").map(|()| Self)
     }
 }
 

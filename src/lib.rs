@@ -34,7 +34,7 @@ mod state;
 mod stream;
 mod validation;
 mod warning;
-mod wire;
+mod words;
 
 /// What is fuzzed; there is none of it in the program.
 #[cfg(fuzzing)]

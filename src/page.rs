@@ -13,7 +13,7 @@ use rust_embed::{Embed, EmbeddedFile};
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::state::Service;
-use crate::wire::shortened;
+use terramechanics_reading::shortened;
 
 #[derive(Embed)]
 #[folder = "static/"]

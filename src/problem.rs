@@ -13,7 +13,7 @@ use crate::compute::Stop;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
 use crate::server::Slowest;
-use crate::wire::FieldFault;
+use terramechanics_reading::FieldFault;
 
 /// Why a request has no answer.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,8 +17,8 @@ use crate::api::{
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
 use crate::state::Service;
-use crate::wire::shortened;
 use crate::{docs, http1, observe, page};
+use terramechanics_reading::shortened;
 
 /// The operations of the contract, in its order.
 fn operations() -> OpenApiRouter<Service> {

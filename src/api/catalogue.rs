@@ -14,8 +14,8 @@ use crate::catalogue::{self, SoilView, WheelView};
 use crate::extract::{Asked, Format, FormatParameter, NoQuery};
 use crate::name::Name;
 use crate::problem::Problem;
-use crate::request::{SoilsDto, WheelsDto};
-use crate::wire::nearest;
+use crate::request::{SoilsCase, SoilsQuery, WheelsCase, WheelsQuery};
+use crate::words::nearest;
 
 /// The wheels of the catalogue.
 #[derive(Serialize, ToSchema)]
@@ -39,10 +39,10 @@ struct SoilsReply {
     get,
     path = "/v1/wheels",
     tag = "catalogue",
-    params(WheelsDto, FormatParameter),
+    params(WheelsQuery, FormatParameter),
     responses((status = 200, description = "The wheels", content((WheelsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn wheels(Asked { query: kind, format }: Asked<WheelsDto>) -> Response {
+pub(crate) async fn wheels(Asked { query: WheelsCase(kind), format }: Asked<WheelsCase>) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::wheel_kinds(), |kind| {
             let records = || catalogue::wheels().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
@@ -61,10 +61,10 @@ pub(crate) async fn wheels(Asked { query: kind, format }: Asked<WheelsDto>) -> R
     get,
     path = "/v1/soils",
     tag = "catalogue",
-    params(SoilsDto, FormatParameter),
+    params(SoilsQuery, FormatParameter),
     responses((status = 200, description = "The soils", content((SoilsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn soils(Asked { query: kind, format }: Asked<SoilsDto>) -> Response {
+pub(crate) async fn soils(Asked { query: SoilsCase(kind), format }: Asked<SoilsCase>) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::soil_kinds(), |kind| {
             let records = || catalogue::soils().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));

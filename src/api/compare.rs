@@ -10,7 +10,7 @@ use crate::extract::{Format, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::CompareReply;
-use crate::request::CompareDto;
+use crate::request::{CompareCase, CompareRequest};
 use crate::state::Service;
 
 /// Several methods and laws side by side, with the gap to the integral
@@ -22,13 +22,13 @@ use crate::state::Service;
     post,
     path = "/v1/compare",
     tag = "forces",
-    request_body = CompareDto,
+    request_body = CompareRequest,
     responses((status = 200, description = "Several methods and laws side by side, with the gap to the integral", content((CompareReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn compare(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<CompareDto>,
+    Input(query): Input<CompareCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_points(query.operations(), query.slips.len());
     let work = move |pace: &Pace| written(&CompareReply::from(found::compare(&query, pace)?), format);

@@ -10,7 +10,7 @@ use crate::extract::{Format, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::CoupledReply;
-use crate::request::CoupledDto;
+use crate::request::{CoupledCase, CoupledRequest};
 use crate::state::Service;
 
 /// Torque and pull from a load that is measured
@@ -21,13 +21,13 @@ use crate::state::Service;
     post,
     path = "/v1/coupled",
     tag = "forces",
-    request_body = CoupledDto,
+    request_body = CoupledRequest,
     responses((status = 200, description = "Torque and pull from a load that is measured", content((CoupledReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn coupled(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<CoupledDto>,
+    Input(query): Input<CoupledCase>,
 ) -> Result<Response, Problem> {
     let work = move |_: &Pace| written(&CoupledReply::from(found::coupled(&query)?), format);
     service.pool().run(Cost::of_closed_forms(), work).await

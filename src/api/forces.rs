@@ -10,7 +10,7 @@ use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::ForcesReply;
-use crate::request::{ForcesDto, ForcesQuery};
+use crate::request::{ForcesCase, ForcesRequest};
 use crate::state::Service;
 
 /// Forces and torque of a wheel at one operating point
@@ -21,13 +21,13 @@ use crate::state::Service;
     post,
     path = "/v1/forces",
     tag = "forces",
-    request_body = ForcesDto,
+    request_body = ForcesRequest,
     responses((status = 200, description = "Forces and torque of a wheel at one operating point", content((ForcesReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn forces(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<ForcesDto>,
+    Input(query): Input<ForcesCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
@@ -41,17 +41,17 @@ pub(crate) async fn forces(
     get,
     path = "/v1/forces",
     tag = "forces",
-    params(ForcesDto, FormatParameter),
+    params(ForcesRequest, FormatParameter),
     responses((status = 200, description = "Forces and torque of a wheel at one operating point", content((ForcesReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
 pub(crate) async fn forces_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<ForcesDto>,
+    Asked { query, format }: Asked<ForcesCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
 
-async fn answer(service: &Service, query: ForcesQuery, format: Format) -> Result<Response, Problem> {
+async fn answer(service: &Service, query: ForcesCase, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_point(&query.operation);
     let work = move |_: &Pace| written(&ForcesReply::from(found::forces(&query)?), format);
     service.pool().run(cost, work).await

@@ -10,7 +10,7 @@ use crate::extract::{Format, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::{IdentifyReply, PlatesReply, ShearReply};
-use crate::request::{IdentifyDto, PlatesDto, ShearTestsDto};
+use crate::request::{IdentifyCase, IdentifyRequest, PlatesCase, PlatesRequest, ShearTestsCase, ShearTestsRequest};
 use crate::state::Service;
 
 /// Parameters of soil and contact from measured forces
@@ -22,13 +22,13 @@ use crate::state::Service;
     post,
     path = "/v1/identify",
     tag = "identification",
-    request_body = IdentifyDto,
+    request_body = IdentifyRequest,
     responses((status = 200, description = "Parameters of soil and contact from measured forces", content((IdentifyReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn identify(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<IdentifyDto>,
+    Input(query): Input<IdentifyCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_identification(&query);
     let patience = service.limits().compute_deadline;
@@ -44,13 +44,13 @@ pub(crate) async fn identify(
     post,
     path = "/v1/identify/plates",
     tag = "identification",
-    request_body = PlatesDto,
+    request_body = PlatesRequest,
     responses((status = 200, description = "Bekker's parameters from plate tests", content((PlatesReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn plates(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<PlatesDto>,
+    Input(query): Input<PlatesCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.curves.iter().map(|curve| curve.sinkage.len()).sum());
     let work = move |pace: &Pace| written(&PlatesReply::from(found::plates(&query, pace)?), format);
@@ -65,13 +65,13 @@ pub(crate) async fn plates(
     post,
     path = "/v1/identify/shear",
     tag = "identification",
-    request_body = ShearTestsDto,
+    request_body = ShearTestsRequest,
     responses((status = 200, description = "Strength and shear modulus from shear tests", content((ShearReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn shear(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<ShearTestsDto>,
+    Input(query): Input<ShearTestsCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_curves(query.0.iter().map(|curve| curve.shear.len()).sum());
     let work = move |pace: &Pace| written(&ShearReply::from(found::shear(&query, pace)?), format);

@@ -10,7 +10,7 @@ use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::ResistancesReply;
-use crate::request::{ResistancesDto, ResistancesQuery};
+use crate::request::{ResistancesCase, ResistancesRequest};
 use crate::state::Service;
 
 /// Bekker's estimates of sinkage, resistances and thrust
@@ -21,13 +21,13 @@ use crate::state::Service;
     post,
     path = "/v1/resistances",
     tag = "forces",
-    request_body = ResistancesDto,
+    request_body = ResistancesRequest,
     responses((status = 200, description = "Bekker's estimates of sinkage, resistances and thrust", content((ResistancesReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn resistances(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<ResistancesDto>,
+    Input(query): Input<ResistancesCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
@@ -40,17 +40,17 @@ pub(crate) async fn resistances(
     get,
     path = "/v1/resistances",
     tag = "forces",
-    params(ResistancesDto, FormatParameter),
+    params(ResistancesRequest, FormatParameter),
     responses((status = 200, description = "Bekker's estimates of sinkage, resistances and thrust", content((ResistancesReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
 pub(crate) async fn resistances_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<ResistancesDto>,
+    Asked { query, format }: Asked<ResistancesCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
 
-async fn answer(service: &Service, query: ResistancesQuery, format: Format) -> Result<Response, Problem> {
+async fn answer(service: &Service, query: ResistancesCase, format: Format) -> Result<Response, Problem> {
     let work = move |_: &Pace| written(&ResistancesReply::from(found::resistances(&query)?), format);
     service.pool().run(Cost::of_closed_forms(), work).await
 }

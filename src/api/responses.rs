@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use terramechanics_reading::{FieldFault, Figures};
 use utoipa::openapi::response::{Response, ResponseBuilder};
 use utoipa::openapi::{ContentBuilder, Ref, RefOr};
 use utoipa::{IntoResponses, ToSchema};
 
 use crate::problem::{Problem, ProblemBody};
 use crate::series::SeriesFault;
-use crate::wire::FieldFault;
 
 /// Each problem with what brings it about, as it is documented under its status.
 fn problems(list: Vec<(Problem, &str)>) -> BTreeMap<String, RefOr<Response>> {
@@ -28,8 +28,9 @@ fn problems(list: Vec<(Problem, &str)>) -> BTreeMap<String, RefOr<Response>> {
 
 /// A refusal, for example.
 fn refused() -> Problem {
-    let pointer = "/soil/cohesion_pa".into();
-    Problem::Invalid(vec![FieldFault { pointer, detail: "must be from 0 to 100000000, not -5".into() }])
+    let fault = FieldFault::new("/soil/cohesion_pa", "must be from 0 to 1e8, not -5");
+    let figures = Figures { unit: Some("Pa".into()), minimum: Some(0.0), maximum: Some(1e8), ..Figures::default() };
+    Problem::Invalid(vec![fault.with(Figures { value: Some(-5.0), ..figures })])
 }
 
 /// What can be wrong with a body.

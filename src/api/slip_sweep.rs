@@ -10,7 +10,7 @@ use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::SweepReply;
-use crate::request::{SweepDto, SweepQuery};
+use crate::request::{SweepCase, SweepRequest};
 use crate::state::Service;
 
 /// Forces and torque of a wheel over slip
@@ -21,13 +21,13 @@ use crate::state::Service;
     post,
     path = "/v1/slip-sweep",
     tag = "forces",
-    request_body = SweepDto,
+    request_body = SweepRequest,
     responses((status = 200, description = "Forces and torque of a wheel over slip", content((SweepReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn slip_sweep(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<SweepDto>,
+    Input(query): Input<SweepCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
@@ -41,17 +41,17 @@ pub(crate) async fn slip_sweep(
     get,
     path = "/v1/slip-sweep",
     tag = "forces",
-    params(SweepDto, FormatParameter),
+    params(SweepRequest, FormatParameter),
     responses((status = 200, description = "Forces and torque of a wheel over slip", content((SweepReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
 pub(crate) async fn slip_sweep_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<SweepDto>,
+    Asked { query, format }: Asked<SweepCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
 
-async fn answer(service: &Service, query: SweepQuery, format: Format) -> Result<Response, Problem> {
+async fn answer(service: &Service, query: SweepCase, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_points([query.operation], query.slips.len());
     let work = move |pace: &Pace| written(&SweepReply::from(found::sweep(&query, pace)?), format);
     service.pool().run(cost, work).await

@@ -10,7 +10,7 @@ use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::ProfileReply;
-use crate::request::{ProfileDto, ProfileQuery};
+use crate::request::{ProfileCase, ProfileRequest};
 use crate::state::Service;
 
 /// Stresses along the rim, exact and linearised
@@ -20,13 +20,13 @@ use crate::state::Service;
     post,
     path = "/v1/stress-profile",
     tag = "forces",
-    request_body = ProfileDto,
+    request_body = ProfileRequest,
     responses((status = 200, description = "Stresses along the rim, exact and linearised", content((ProfileReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn stress_profile(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<ProfileDto>,
+    Input(query): Input<ProfileCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
@@ -40,17 +40,17 @@ pub(crate) async fn stress_profile(
     get,
     path = "/v1/stress-profile",
     tag = "forces",
-    params(ProfileDto, FormatParameter),
+    params(ProfileRequest, FormatParameter),
     responses((status = 200, description = "Stresses along the rim, exact and linearised", content((ProfileReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
 pub(crate) async fn stress_profile_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<ProfileDto>,
+    Asked { query, format }: Asked<ProfileCase>,
 ) -> Result<Response, Problem> {
     answer(&service, query, format).await
 }
 
-async fn answer(service: &Service, query: ProfileQuery, format: Format) -> Result<Response, Problem> {
+async fn answer(service: &Service, query: ProfileCase, format: Format) -> Result<Response, Problem> {
     let cost = Cost::of_profile(&query.operation, query.points);
     let work = move |_: &Pace| written(&ProfileReply::from(found::profile(&query)?), format);
     service.pool().run(cost, work).await

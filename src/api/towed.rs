@@ -10,7 +10,7 @@ use crate::extract::{Format, Input};
 use crate::found;
 use crate::problem::Problem;
 use crate::reply::TowedReply;
-use crate::request::TowedDto;
+use crate::request::{TowedCase, TowedRequest};
 use crate::state::Service;
 
 /// Skid, sinkage and resistance of a towed wheel
@@ -21,13 +21,13 @@ use crate::state::Service;
     post,
     path = "/v1/towed",
     tag = "forces",
-    request_body = TowedDto,
+    request_body = TowedRequest,
     responses((status = 200, description = "Skid, sinkage and resistance of a towed wheel", content((TowedReply = "application/json"), (String = "text/csv"))), InvalidBody, Limits)
 )]
 pub(crate) async fn towed(
     State(service): State<Service>,
     format: Format,
-    Input(query): Input<TowedDto>,
+    Input(query): Input<TowedCase>,
 ) -> Result<Response, Problem> {
     let cost = Cost::of_towed();
     let work = move |_: &Pace| written(&TowedReply::from(found::towed(&query)?), format);

@@ -9,7 +9,7 @@ use crate::compute::Place;
 use crate::extract::{Input, SeriesForm, read_query};
 use crate::problem::Problem;
 use crate::reply::TrackReply;
-use crate::request::{TrackDto, checked_settings};
+use crate::request::{TrackCase, TrackRequest, checked_settings};
 use crate::series::Run;
 use crate::state::{self, Service};
 use crate::stream;
@@ -40,8 +40,8 @@ use crate::stream;
     post,
     path = "/v1/track",
     tag = "forces",
-    params(TrackDto),
-    request_body(content((TrackDto = "application/json"), (String = "text/csv"), (String = "application/x-ndjson"))),
+    params(TrackRequest),
+    request_body(content((TrackRequest = "application/json"), (String = "text/csv"), (String = "application/x-ndjson"))),
     responses((status = 200, description = "The wheel over time", content((TrackReply = "application/json"), (String = "text/csv"), (String = "application/x-ndjson"))), InvalidSeries, Limits)
 )]
 pub(crate) async fn track(State(service): State<Service>, request: Request) -> Result<Response, Problem> {
@@ -62,7 +62,7 @@ async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
     let wanted = form.of_answer(request.headers());
     let limits = *service.limits();
     if form == SeriesForm::Json {
-        let Input(query) = Input::<TrackDto>::from_request(request, service).await?;
+        let Input(query) = Input::<TrackCase>::from_request(request, service).await?;
         // All is there already, so that it is a computation like any other.
         let limits = state::Limits { stream_deadline: limits.compute_deadline, ..limits };
         let place = service.pool().place()?;

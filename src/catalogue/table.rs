@@ -1,9 +1,9 @@
 //! The catalogue as tables: one row per entry, one column per value, an empty cell for what is not known.
 
+use terramechanics::{Contact, Law, PeakRule, PressureSinkage, ShearLaw};
+
 use super::record::{SOIL_FIELDS, SoilRecord, Values, WHEEL_FIELDS, WheelRecord};
 use crate::quantity::{Cell, Digits, line};
-use crate::request::{LAWS, RULES, SHEAR_LAWS};
-use crate::wire::Variant;
 
 /// Values of a wheel that are no part of a request.
 const WHEEL_FACTS: [&str; 2] = ["lug_count", "nominal_load_n"];
@@ -34,9 +34,9 @@ pub(crate) fn wheels_table<'a>(records: impl Iterator<Item = &'a WheelRecord>) -
 
 /// The soils as a table.
 pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> Vec<u8> {
-    let mut of_laws = parameters(LAWS);
-    of_laws.retain(|name| !SOIL_FIELDS.contains(name));
-    let (of_shear, of_rules) = (parameters(SHEAR_LAWS), parameters(RULES));
+    let (of_laws, of_shear, of_rules) =
+        (parameters(PressureSinkage::LAWS), parameters(ShearLaw::LAWS), parameters(PeakRule::LAWS));
+    let of_rules = [&[Contact::EXIT_RATIO.name], &of_rules[..]].concat();
     let header = [&["id", "name", "kind", "grade"][..], &SOIL_FIELDS, &["law"], &of_laws, &["shear_law"], &of_shear];
     let header = header.into_iter().flatten().chain(&["rule"]).chain(&of_rules).copied();
     let row = |record: &'a SoilRecord| {
@@ -54,7 +54,8 @@ pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> 
     table(header, records.map(row))
 }
 
-/// The parameters of all variants, each once.
-fn parameters(variants: &'static [Variant]) -> Vec<&'static str> {
-    super::distinct(variants.iter().flat_map(Variant::fields))
+/// The parameters of all laws of a family, each once, but those that every soil has.
+fn parameters<F>(laws: &'static [Law<F>]) -> Vec<&'static str> {
+    let names = laws.iter().flat_map(|law| law.parameters).map(|parameter| parameter.name);
+    super::distinct(names.filter(|name| !SOIL_FIELDS.contains(name)))
 }

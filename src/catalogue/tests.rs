@@ -8,7 +8,6 @@ use terramechanics::{
 
 use super::record::SOIL_FIELDS;
 use super::*;
-use crate::request::LAWS;
 
 /// Relative difference that the last printed digit of a published product leaves.
 const PRINTED_DIGITS: f64 = 1e-3;
@@ -52,9 +51,9 @@ fn no_record_has_a_better_grade_than_its_best_value() {
 #[test]
 fn every_soil_names_only_parameters_of_its_law() {
     for record in soils() {
-        let law = record.law.as_ref().map(|name| LAWS.iter().find(|law| law.name == name).expect("a law"));
+        let law = record.law.as_ref().map(|name| PressureSinkage::named(name).expect("a law"));
         for name in record.values.keys() {
-            let of_law = law.is_some_and(|law| law.fields().any(|field| field == name));
+            let of_law = law.is_some_and(|law| law.parameters.iter().any(|parameter| parameter.name == name));
             assert!(of_law || SOIL_FIELDS.contains(&name.as_str()), "{}: {name}", record.id);
         }
     }

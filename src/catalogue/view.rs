@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use terramechanics::{Contact, Law, PeakRule, PressureSinkage, ShearLaw};
 use utoipa::ToSchema;
 
 use super::record::{Grade, SOIL_FIELDS, SoilRecord, Value, Values, WHEEL_FIELDS, WheelRecord};
-use crate::request::{LAWS, RULES, SHEAR_LAWS};
-use crate::wire::Variant;
 
 /// One value as it is shown, complete with its source.
 #[derive(Debug, Serialize, ToSchema)]
@@ -125,6 +124,11 @@ fn views<'a>(values: &'a Values, source: &'a str, grade: Grade) -> BTreeMap<&'a 
     values.iter().map(|(name, value)| (name.as_str(), view(value))).collect()
 }
 
+/// The names of the parameters of a law.
+fn parameters<F>(law: Option<&Law<F>>) -> Vec<&'static str> {
+    law.iter().flat_map(|law| law.parameters).map(|parameter| parameter.name).collect()
+}
+
 impl WheelRecord {
     /// The record as it is shown.
     pub(crate) fn view(&self) -> WheelView<'_> {
@@ -147,9 +151,6 @@ impl WheelRecord {
 impl SoilRecord {
     /// The record as it is shown.
     pub(crate) fn view(&self) -> SoilView<'_> {
-        let parameters = |variants: &'static [Variant], name: &str| -> Vec<&'static str> {
-            Variant::named(variants, name).map(|variant| variant.fields().collect()).unwrap_or_default()
-        };
         let mut values = views(&self.values, &self.source, self.grade);
         if let Some(contact) = &self.contact {
             values.extend(views(&contact.values, &self.source, self.grade));
@@ -169,18 +170,21 @@ impl SoilRecord {
                 pressure_sinkage: self.law.as_ref().map(|law| TaggedBody {
                     law: Some(law),
                     rule: None,
-                    parameters: numbers(&self.values, &parameters(LAWS, law)),
+                    parameters: numbers(&self.values, &parameters(PressureSinkage::named(law))),
                 }),
                 shear: self.shear.as_ref().map(|shear| TaggedBody {
                     law: Some(&shear.law),
                     rule: None,
-                    parameters: numbers(&shear.values, &parameters(SHEAR_LAWS, &shear.law)),
+                    parameters: numbers(&shear.values, &parameters(ShearLaw::named(&shear.law))),
                 }),
             },
             contact: self.contact.as_ref().map(|contact| TaggedBody {
                 law: None,
                 rule: Some(&contact.rule),
-                parameters: numbers(&contact.values, &parameters(RULES, &contact.rule)),
+                parameters: numbers(
+                    &contact.values,
+                    &[&parameters(PeakRule::named(&contact.rule))[..], &[Contact::EXIT_RATIO.name]].concat(),
+                ),
             }),
             largest_fitted_slip: self.largest_fitted_slip,
             values,

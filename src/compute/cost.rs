@@ -8,7 +8,7 @@ use std::time::Duration;
 use terramechanics::{Method, Operation, Sinkage};
 
 use super::SLICE;
-use crate::request::IdentifyQuery;
+use crate::request::IdentifyCase;
 
 /// The cost of a computation, in nanoseconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,14 +136,14 @@ impl Cost {
     }
 
     /// Of an identification: a line through the samples, or a search that may spend its evaluations.
-    pub(crate) fn of_identification(query: &IdentifyQuery) -> Self {
+    pub(crate) fn of_identification(query: &IdentifyCase) -> Self {
         match query {
-            IdentifyQuery::Linear(query) => {
+            IdentifyCase::Linear(query) => {
                 // With a law, the quadrature a few times for each sample.
                 let each = if query.law_known { 100e3 } else { 2e3 };
                 Self::of_fit(query.observations.slip.len() as f64 * each)
             }
-            IdentifyQuery::Fit(query) => Self::of_fit(query.options.evaluations as f64 * 200.0),
+            IdentifyCase::Fit(query) => Self::of_fit(query.options.evaluations as f64 * 200.0),
         }
     }
 

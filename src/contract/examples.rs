@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use axum::body::Bytes;
 use serde_json::{Value, json};
+use terramechanics_reading::Node;
 use utoipa::openapi::path::ParameterBuilder;
 use utoipa::openapi::{OpenApi, RefOr};
 
@@ -19,13 +20,12 @@ use crate::reply::{
     SweepReply, TowedReply, ValidationSet,
 };
 use crate::request::{
-    CompareDto, CoupledDto, ForcesDto, IdentifyDto, PlatesDto, ProfileDto, Request, ResistancesDto, ShearTestsDto, SweepDto,
-    TowedDto, TrackDto, checked,
+    CompareCase, CoupledCase, ForcesCase, IdentifyCase, PlatesCase, ProfileCase, Request, ResistancesCase, ShearTestsCase,
+    SweepCase, TowedCase, TrackCase, checked,
 };
 use crate::series::Run;
 use crate::stream::{Progress, Work};
 use crate::validation;
-use crate::wire::read;
 
 /// Digits kept of a number in an example.
 const DIGITS: i32 = 6;
@@ -110,14 +110,14 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
     let coupled = json!({
         "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02, "normal_load_n": 80
     });
-    let coupled_reply = answer::<CoupledDto, _>(&coupled, |query| found::coupled(query).ok().map(CoupledReply::from));
+    let coupled_reply = answer::<CoupledCase, _>(&coupled, |query| found::coupled(query).ok().map(CoupledReply::from));
     let resistances = json!({
         "wheel": {"radius_m": 0.4065, "width_m": 0.229},
         "soil": {"preset": "lunar-apollo-nominal", "friction_angle_rad": 0.576, "unit_weight_n_m3": 2472},
         "normal_load_n": 259, "slip": 0.05
     });
     let resistances_reply =
-        answer::<ResistancesDto, _>(&resistances, |query| found::resistances(query).ok().map(ResistancesReply::from));
+        answer::<ResistancesCase, _>(&resistances, |query| found::resistances(query).ok().map(ResistancesReply::from));
     let towed = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "normal_load_n": 80});
     // The integrals of the letter's example, computed independently with 401 000 points.
     let identify = json!({
@@ -132,7 +132,7 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
         },
         "bounds": {"shear_modulus_m": [0.001, 0.05]}
     });
-    let identify_reply = answer::<IdentifyDto, _>(&identify, |query| {
+    let identify_reply = answer::<IdentifyCase, _>(&identify, |query| {
         found::identify(query, Duration::from_secs(60), &Pace::at_once()).ok().map(IdentifyReply::from)
     });
     // Dry sand under two plates, every other point: Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, 3G12.
@@ -150,15 +150,15 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
         ]
     });
     let plates_reply =
-        answer::<PlatesDto, _>(&plates, |query| found::plates(query, &Pace::at_once()).ok().map(PlatesReply::from));
+        answer::<PlatesCase, _>(&plates, |query| found::plates(query, &Pace::at_once()).ok().map(PlatesReply::from));
     let shear_reply =
-        answer::<ShearTestsDto, _>(&shear, |query| found::shear(query, &Pace::at_once()).ok().map(ShearReply::from));
+        answer::<ShearTestsCase, _>(&shear, |query| found::shear(query, &Pace::at_once()).ok().map(ShearReply::from));
     let compare_reply =
-        answer::<CompareDto, _>(&compare, |query| found::compare(query, &Pace::at_once()).ok().map(CompareReply::from));
-    let forces_reply = answer::<ForcesDto, _>(&forces, |query| found::forces(query).ok().map(ForcesReply::from));
-    let profile_reply = answer::<ProfileDto, _>(&profile, |query| found::profile(query).ok().map(ProfileReply::from));
-    let sweep_reply = answer::<SweepDto, _>(&sweep, |query| found::sweep(query, &Pace::at_once()).ok().map(SweepReply::from));
-    let towed_reply = answer::<TowedDto, _>(&towed, |query| found::towed(query).ok().map(TowedReply::from));
+        answer::<CompareCase, _>(&compare, |query| found::compare(query, &Pace::at_once()).ok().map(CompareReply::from));
+    let forces_reply = answer::<ForcesCase, _>(&forces, |query| found::forces(query).ok().map(ForcesReply::from));
+    let profile_reply = answer::<ProfileCase, _>(&profile, |query| found::profile(query).ok().map(ProfileReply::from));
+    let sweep_reply = answer::<SweepCase, _>(&sweep, |query| found::sweep(query, &Pace::at_once()).ok().map(SweepReply::from));
+    let towed_reply = answer::<TowedCase, _>(&towed, |query| found::towed(query).ok().map(TowedReply::from));
     [
         ("/v1/forces", forces, forces_reply),
         ("/v1/stress-profile", profile, profile_reply),
@@ -176,11 +176,10 @@ fn bodies() -> [(&'static str, Value, Answer); 11] {
 
 /// What a run over samples gives, in every form.
 fn track_answer(request: &Value) -> Answer {
-    let text = request.to_string();
     let run = |form: SeriesForm| {
-        let query = checked::<TrackDto>(&read(text.as_bytes()).ok()?).ok()?;
+        let case = checked::<TrackCase>(&Node::from(request)).ok()?;
         let mut output = Vec::new();
-        let mut run = Run::over_samples(query, form);
+        let mut run = Run::over_samples(case, form);
         while run.slice(&mut Bytes::new(), true, &mut output).ok()? != Progress::Complete {}
         String::from_utf8(output).ok()
     };
@@ -202,10 +201,9 @@ fn track_answer(request: &Value) -> Answer {
 }
 
 /// What the service answers, as JSON and as a table.
-fn answer<R: Request, T: Reply>(request: &Value, reply: impl Fn(&R::Query) -> Option<T>) -> Answer {
-    let text = request.to_string();
-    let query = read::<R>(text.as_bytes()).ok().and_then(|field| checked(&field).ok());
-    query.and_then(|query| reply(&query)).map_or_else(Vec::new, |reply| written(&reply))
+fn answer<R: Request, T: Reply>(request: &Value, reply: impl Fn(&R) -> Option<T>) -> Answer {
+    let case = checked::<R>(&Node::from(request)).ok();
+    case.and_then(|case| reply(&case)).map_or_else(Vec::new, |reply| written(&reply))
 }
 
 /// A reply as JSON and as a table.

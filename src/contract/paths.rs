@@ -2,7 +2,7 @@
 
 use utoipa::openapi::OpenApi as Document;
 
-use crate::wire::nearest;
+use crate::words::nearest;
 
 /// A path with its methods.
 pub(super) struct Known {

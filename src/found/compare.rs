@@ -6,7 +6,7 @@ use super::{FoundSweep, sweep};
 use crate::compute::{Pace, Stop};
 use crate::quantity::PointColumns;
 use crate::reply::method_name;
-use crate::request::{Case, CompareQuery, SweepQuery};
+use crate::request::{CompareCase, SweepCase, Variation};
 use crate::warning::{Warning, gathered};
 
 /// The request as it stands and its variants, each by several methods.
@@ -30,15 +30,15 @@ pub(crate) struct FoundVariant {
 ///
 /// # Errors
 /// [`Stop`], where the work is to end.
-pub(crate) fn compare(CompareQuery { cases, slips }: &CompareQuery, pace: &Pace) -> Result<FoundComparison, Stop> {
+pub(crate) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pace) -> Result<FoundComparison, Stop> {
     // Only the columns of a sweep are kept: they are smaller than its points.
     let columns_of = |operation: Operation| {
-        let FoundSweep { operation, sweep, warnings } = sweep(&SweepQuery { operation, slips: slips.clone() }, pace)?;
+        let FoundSweep { operation, sweep, warnings } = sweep(&SweepCase { operation, slips: slips.clone() }, pace)?;
         Ok::<_, Stop>((PointColumns::of(&sweep, &operation.system.wheel, false), warnings))
     };
     let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
     let mut variants = Vec::new();
-    for case @ Case { variant, operations } in cases {
+    for case @ Variation { variant, operations } in variations {
         let mut series = Vec::new();
         for &operation in operations {
             let (columns, warnings) = columns_of(operation)?;

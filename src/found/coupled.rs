@@ -4,7 +4,7 @@ use terramechanics::{Angles, CoupledForces, Sinkage, Slip};
 
 use super::of_point;
 use crate::problem::Problem;
-use crate::request::CoupledQuery;
+use crate::request::CoupledCase;
 use crate::warning::Warning;
 
 /// What follows from the load, and from the torque where that is measured.
@@ -21,8 +21,8 @@ pub(crate) struct FoundCoupled {
 ///
 /// # Errors
 /// What the model refuses.
-pub(crate) fn coupled(case: &CoupledQuery) -> Result<FoundCoupled, Problem> {
-    let CoupledQuery { system, motion, sinkage, known } = case;
+pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
+    let CoupledCase { system, motion, sinkage, known } = case;
     let refused = |error| Problem::refused(&error, &Sinkage::Given(*sinkage));
     let rolling = system.rolling(motion.slip).map_err(refused)?;
     let patch = rolling.contact(*sinkage).map_err(refused)?;

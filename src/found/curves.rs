@@ -7,7 +7,7 @@ use terramechanics_identification::{
 use super::identify::implausible;
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::request::{PlatesQuery, ShearTestsQuery, name_of, plates_fault, shear_fault};
+use crate::request::{PlatesCase, ShearTestsCase, name_of, plates_fault, shear_fault};
 use crate::warning::{Finding, Warning};
 
 /// Bekker's law through the curves of plates.
@@ -28,7 +28,7 @@ pub(crate) struct FoundShear {
 ///
 /// # Errors
 /// What the curves do not tell.
-pub(crate) fn plates(PlatesQuery { curves, left_out }: &PlatesQuery, pace: &Pace) -> Result<FoundPlates, Problem> {
+pub(crate) fn plates(PlatesCase { curves, left_out }: &PlatesCase, pace: &Pace) -> Result<FoundPlates, Problem> {
     let fitted = fit_plates_while(curves, &|| pace.goes_on()).map_err(|error| Problem::Invalid(vec![plates_fault(error)]))?;
     let mut warnings = open(&fitted.estimates);
     warnings.extend(implausible(&fitted.estimates, fitted.estimates[2].value));
@@ -52,7 +52,7 @@ pub(crate) fn plates(PlatesQuery { curves, left_out }: &PlatesQuery, pace: &Pace
 ///
 /// # Errors
 /// What the curves do not tell.
-pub(crate) fn shear(ShearTestsQuery(curves): &ShearTestsQuery, pace: &Pace) -> Result<FoundShear, Problem> {
+pub(crate) fn shear(ShearTestsCase(curves): &ShearTestsCase, pace: &Pace) -> Result<FoundShear, Problem> {
     let fitted =
         fit_shear_curves_while(curves, &|| pace.goes_on()).map_err(|error| Problem::Invalid(vec![shear_fault(error)]))?;
     let mut warnings = open(&fitted.estimates);

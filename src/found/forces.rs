@@ -4,7 +4,7 @@ use terramechanics::{Motion, OperatingPoint, Operation, Outcome, cautions};
 
 use super::of_point;
 use crate::problem::Problem;
-use crate::request::ForcesQuery;
+use crate::request::ForcesCase;
 use crate::warning::Warning;
 
 /// An operating point of a wheel that moves.
@@ -19,7 +19,7 @@ pub(crate) struct FoundForces {
 ///
 /// # Errors
 /// What the model refuses.
-pub(crate) fn forces(&ForcesQuery { operation, motion }: &ForcesQuery) -> Result<FoundForces, Problem> {
+pub(crate) fn forces(&ForcesCase { operation, motion }: &ForcesCase) -> Result<FoundForces, Problem> {
     let point = operation.at(motion.slip).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
     let outcome = Outcome::from(&point);
     let warnings = of_point(cautions(&operation, &outcome), &operation.system, motion.heading);

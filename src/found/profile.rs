@@ -4,7 +4,7 @@ use terramechanics::{Angles, Error, Outcome, Slip, StressProfile, Stresses, caut
 
 use super::of_point;
 use crate::problem::Problem;
-use crate::request::ProfileQuery;
+use crate::request::ProfileCase;
 use crate::warning::{Finding, Warning};
 
 /// The stresses along the rim, and at their peak.
@@ -21,12 +21,12 @@ pub(crate) struct FoundProfile {
 ///
 /// # Errors
 /// What the model refuses.
-pub(crate) fn profile(case: &ProfileQuery) -> Result<FoundProfile, Problem> {
+pub(crate) fn profile(case: &ProfileCase) -> Result<FoundProfile, Problem> {
     solved(case).map_err(|error| Problem::refused(&error, &case.operation.sinkage))
 }
 
-fn solved(case: &ProfileQuery) -> Result<FoundProfile, Error> {
-    let ProfileQuery { operation, motion, peak_depth, points } = case;
+fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
+    let ProfileCase { operation, motion, peak_depth, points } = case;
     let rolling = operation.system.rolling(motion.slip)?;
     let (sinkage, solved) = operation.sinkage_of(&rolling)?;
     let patch = rolling.contact(sinkage)?;

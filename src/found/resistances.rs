@@ -4,7 +4,7 @@ use terramechanics::{Resistances, Sinkage};
 
 use super::of_system;
 use crate::problem::Problem;
-use crate::request::ResistancesQuery;
+use crate::request::ResistancesCase;
 use crate::warning::{Finding, Warning};
 
 /// The estimates that there are.
@@ -17,8 +17,8 @@ pub(crate) struct FoundResistances {
 ///
 /// # Errors
 /// What the model refuses.
-pub(crate) fn resistances(case: &ResistancesQuery) -> Result<FoundResistances, Problem> {
-    let ResistancesQuery { system, normal_load, slip } = case;
+pub(crate) fn resistances(case: &ResistancesCase) -> Result<FoundResistances, Problem> {
+    let ResistancesCase { system, normal_load, slip } = case;
     let sinkage = Sinkage::CarryingLoad(*normal_load);
     let estimates = Resistances::of(system, *normal_load, *slip).map_err(|error| Problem::refused(&error, &sinkage))?;
     let Resistances { rigid_wheel_sinkage, compaction, bulldozing, thrust } = estimates;

@@ -6,7 +6,7 @@ use terramechanics::{Error, Operation, Outcome, SlipSweep, cautions};
 
 use super::of_system;
 use crate::compute::{Pace, Stop};
-use crate::request::{SweepQuery, error_pointer};
+use crate::request::{SweepCase, error_pointer};
 use crate::warning::{RowCautions, Rows, Warning, no_solution};
 
 /// An operation over slip.
@@ -20,7 +20,7 @@ pub(crate) struct FoundSweep {
 ///
 /// # Errors
 /// [`Stop`], where the work is to end.
-pub(crate) fn sweep(SweepQuery { operation, slips }: &SweepQuery, pace: &Pace) -> Result<FoundSweep, Stop> {
+pub(crate) fn sweep(SweepCase { operation, slips }: &SweepCase, pace: &Pace) -> Result<FoundSweep, Stop> {
     let is_light = operation.model.method.is_closed_form();
     let mut sweep = SlipSweep::with_capacity(slips.len());
     for &slip in slips {

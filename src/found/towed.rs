@@ -4,7 +4,7 @@ use terramechanics::{Heading, Outcome, Towed, cautions};
 
 use super::of_point;
 use crate::problem::Problem;
-use crate::request::TowedQuery;
+use crate::request::TowedCase;
 use crate::warning::Warning;
 
 /// How a towed wheel rolls.
@@ -17,7 +17,7 @@ pub(crate) struct FoundTowed {
 ///
 /// # Errors
 /// What the model refuses.
-pub(crate) fn towed(TowedQuery { operation, load }: &TowedQuery) -> Result<FoundTowed, Problem> {
+pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTowed, Problem> {
     let towed = operation.system.solve_towed(*load).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
     let outcome = Outcome {
         slip: towed.slip,

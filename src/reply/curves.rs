@@ -11,7 +11,7 @@ use super::identify::EstimateReply;
 use super::soil::{self, Spelled};
 use crate::found::{FoundPlates, FoundShear};
 use crate::quantity::{About, Columns, Field, Shape};
-use crate::request::PressureSinkageDto;
+use crate::request::PressureSinkageObject;
 use crate::warning::Warning;
 
 /// Bekker's parameters from plate tests.
@@ -32,7 +32,7 @@ pub(crate) struct PlatesReply {
     plates: Vec<PlateReply>,
     columns: PlateColumns,
     /// The law, ready for a request.
-    #[schema(value_type = PressureSinkageDto)]
+    #[schema(value_type = PressureSinkageObject)]
     pressure_sinkage: Spelled,
     warnings: Vec<Warning>,
 }

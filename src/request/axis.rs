@@ -1,152 +1,58 @@
 //! The slips of a sweep: a range or a list.
 
-use serde::de::{MapAccess, SeqAccess};
 use terramechanics::Slip;
-use utoipa::openapi::path::Parameter;
-use utoipa::openapi::schema::OneOfBuilder;
-use utoipa::openapi::{RefOr, Schema};
+use terramechanics_reading::{Alternative, Either, Field, Number, Numbers, Object, OneOf, Reader};
 
-use crate::wire::{Entry, MOST_NUMBERS, Nested, Number, Object, Scope, Series, SeriesSpec, Spec, Wire, wire_object};
+use super::motion::RATIO;
 
-const SLIP: Number = Number::new("Slip ratio s (–).", -1.0, 1.0).share();
 const FEWEST: usize = 2;
+const MOST: usize = 10_001;
 
-wire_object! {
-    /// Equally spaced slips, both ends included.
-    SlipRangeDto as "SlipRange" {
-        from: f64 = Number::new("First slip (–).", -1.0, 1.0).share().required(),
-        to: f64 = Number::new("Last slip (–).", -1.0, 1.0).share().required(),
-        points: f64 = Number::new("Number of slips.", FEWEST as f64, MOST_NUMBERS as f64).integer().required(),
+const FROM: Field<Number> = Field::required("from", "First slip (–).", RATIO);
+const TO: Field<Number> = Field::required("to", "Last slip (–).", RATIO);
+const POINTS: Field<Number> = Field::required("points", "Number of slips.", Number::new("1", FEWEST as f64, MOST as f64).whole());
+
+const RANGE: Object =
+    Object { name: "SlipRange", doc: "Equally spaced slips, both ends included.", groups: &[&[&FROM, &TO, &POINTS]] };
+
+/// The slips of a sweep.
+pub(super) const SLIPS: Field<OneOf> = Field::required(
+    "slip",
+    "The slips: a range, or a list.",
+    OneOf::new(
+        "an object with `from`, `to` and `points` (in a query `slip.from`, `slip.to` and `slip.points`), or an array of numbers",
+        &[Alternative::Object(&RANGE, "Equally spaced slips."), Alternative::Numbers(Numbers::new(RATIO, FEWEST, MOST))],
+    ),
+);
+
+/// One slip, or those of a sweep.
+pub(super) const SLIP_OR_SLIPS: Field<OneOf> = Field::required(
+    "slip",
+    "One slip, or the slips as a range or a list.",
+    OneOf::new(
+        "a number, an object with `from`, `to` and `points`, or an array of numbers",
+        &[
+            Alternative::Number(RATIO),
+            Alternative::Object(&RANGE, "Equally spaced slips."),
+            Alternative::Numbers(Numbers::new(RATIO, 1, MOST)),
+        ],
+    ),
+);
+
+/// The slips, of which there is at least one.
+pub(super) fn read(object: &Reader<'_>, field: &Field<OneOf>) -> Option<Vec<Slip>> {
+    match object.required(field)? {
+        Either::Number(slip) => Some(vec![Slip::new(slip).ok()?]),
+        Either::Numbers(slips) => slips.iter().map(|&slip| Slip::new(slip).ok()).collect(),
+        Either::Object(range) => spaced(&range),
+        Either::Word => None,
     }
 }
 
-/// The slips of a sweep as they were sent.
-#[derive(Debug, Clone)]
-pub(crate) enum SlipAxis {
-    Range(SlipRangeDto),
-    List(Series),
-}
-
-const RANGE: Nested<SlipRangeDto> = Nested::required("Equally spaced slips.");
-
-const fn list(fewest: usize) -> SeriesSpec {
-    SeriesSpec { doc: "Slips.", number: SLIP, fewest, required: true }
-}
-
-/// A range or a list of slips.
-pub(crate) struct SlipAxisSpec;
-
-impl Spec for SlipAxisSpec {
-    fn schema(&self) -> RefOr<Schema> {
-        let either = OneOfBuilder::new().description(Some("The slips: a range, or a list."));
-        either.item(RANGE.schema()).item(list(FEWEST).array()).into()
-    }
-
-    fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
-        RANGE.schemas(found);
-    }
-
-    fn parameters(&self, name: &str, found: &mut Vec<Parameter>) {
-        RANGE.parameters(name, found);
-    }
-
-    fn is_required(&self) -> bool {
-        true
-    }
-}
-
-impl Wire for SlipAxis {
-    type Spec = SlipAxisSpec;
-    const EXPECTED: &'static str =
-        "an object with `from`, `to` and `points` (in a query `slip.from`, `slip.to` and `slip.points`), or an array of numbers";
-
-    fn object<'de, A: MapAccess<'de>>(map: A) -> Result<Option<Self>, A::Error> {
-        Ok(SlipRangeDto::object(map)?.map(Self::Range))
-    }
-
-    fn list<'de, A: SeqAccess<'de>>(list: A) -> Result<Option<Self>, A::Error> {
-        Ok(Series::list(list)?.map(Self::List))
-    }
-}
-
-impl SlipAxis {
-    /// The slips, if there are at least `fewest`.
-    fn slips(&self, place: &Scope<'_>, fewest: usize) -> Option<Vec<Slip>> {
-        match self {
-            Self::Range(range) => range.slips(place),
-            Self::List(series) => list(fewest).check(place, series)?.into_iter().map(|slip| Slip::new(slip).ok()).collect(),
-        }
-    }
-}
-
-impl Entry<'_, SlipAxis> {
-    /// The slips.
-    pub(super) fn slips(&self, object: &Scope<'_>) -> Option<Vec<Slip>> {
-        self.required(object)?.slips(&object.field(self.name), FEWEST)
-    }
-}
-
-/// One slip, or the slips of a sweep, as they were sent.
-#[derive(Debug, Clone)]
-pub(crate) enum SlipOrAxis {
-    One(f64),
-    Several(SlipAxis),
-}
-
-/// A slip, or a range or a list of slips.
-pub(crate) struct SlipOrAxisSpec;
-
-impl Spec for SlipOrAxisSpec {
-    fn schema(&self) -> RefOr<Schema> {
-        let any = OneOfBuilder::new().description(Some("One slip, or the slips as a range or a list."));
-        any.item(SLIP.schema()).item(RANGE.schema()).item(list(1).array()).into()
-    }
-
-    fn schemas(&self, found: &mut Vec<(String, RefOr<Schema>)>) {
-        RANGE.schemas(found);
-    }
-
-    fn is_required(&self) -> bool {
-        true
-    }
-}
-
-impl Wire for SlipOrAxis {
-    type Spec = SlipOrAxisSpec;
-    const EXPECTED: &'static str = "a number, an object with `from`, `to` and `points`, or an array of numbers";
-
-    fn number(value: f64) -> Option<Self> {
-        Some(Self::One(value))
-    }
-
-    fn object<'de, A: MapAccess<'de>>(map: A) -> Result<Option<Self>, A::Error> {
-        Ok(SlipAxis::object(map)?.map(Self::Several))
-    }
-
-    fn list<'de, A: SeqAccess<'de>>(list: A) -> Result<Option<Self>, A::Error> {
-        Ok(SlipAxis::list(list)?.map(Self::Several))
-    }
-}
-
-impl Entry<'_, SlipOrAxis> {
-    /// The slips, of which there is at least one.
-    pub(super) fn slips(&self, object: &Scope<'_>) -> Option<Vec<Slip>> {
-        let place = object.field(self.name);
-        match self.required(object)? {
-            SlipOrAxis::One(value) => SLIP.check(&place, *value).and_then(|slip| Slip::new(slip).ok()).map(|slip| vec![slip]),
-            SlipOrAxis::Several(axis) => axis.slips(&place, 1),
-        }
-    }
-}
-
-impl SlipRangeDto {
-    fn slips(&self, place: &Scope<'_>) -> Option<Vec<Slip>> {
-        self.report_oddities(place);
-        let (from, to) = (self.from().required_number(place), self.to().required_number(place));
-        let points = self.points().required_number(place);
-        let (from, to, steps) = (from?, to?, points? - 1.0);
-        (0..points? as u32).map(|i| Slip::new(equally_spaced(from, to, f64::from(i) / steps)).ok()).collect()
-    }
+fn spaced(range: &Reader<'_>) -> Option<Vec<Slip>> {
+    let (from, to, points) = (range.required(&FROM), range.required(&TO), range.required(&POINTS));
+    let (from, to, points) = (from?, to?, points?);
+    (0..points as u32).map(|i| Slip::new(equally_spaced(from, to, f64::from(i) / (points - 1.0))).ok()).collect()
 }
 
 /// The number at `share` of the way between two slips. Where a number of 14 decimals is as near as rounding can tell, it is

@@ -1,49 +1,39 @@
 //! The queries of the catalogue's lists.
 
+use terramechanics_reading::{Field, Lookup, Object, Reader};
+
 use super::Request;
-use crate::catalogue;
-use crate::wire::{Choice, Entry, Scope, shortened, wire_object};
+use crate::catalogue::{soil_kinds, wheel_kinds};
 
-wire_object! {
-    /// Which wheels to list.
-    WheelsDto as "WheelsQuery" {
-        kind: String = Choice { doc: "Only wheels of this kind.", words: catalogue::wheel_kinds, default: None },
+const WHEEL_KIND: Field<Lookup<&'static str>> = Field::new(
+    "kind",
+    "Only wheels of this kind.",
+    Lookup { words: wheel_kinds, find: |word| wheel_kinds().into_iter().find(|kind| *kind == word) },
+);
+const SOIL_KIND: Field<Lookup<&'static str>> = Field::new(
+    "kind",
+    "Only soils of this kind.",
+    Lookup { words: soil_kinds, find: |word| soil_kinds().into_iter().find(|kind| *kind == word) },
+);
+
+/// The wheels to list: of this kind, or all.
+pub(crate) struct WheelsCase(pub(crate) Option<&'static str>);
+
+/// The soils to list: of this kind, or all.
+pub(crate) struct SoilsCase(pub(crate) Option<&'static str>);
+
+impl Request for WheelsCase {
+    const OBJECT: &'static Object = &Object { name: "WheelsQuery", doc: "Which wheels to list.", groups: &[&[&WHEEL_KIND]] };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        object.optional(&WHEEL_KIND).map(Self)
     }
 }
 
-wire_object! {
-    /// Which soils to list.
-    SoilsDto as "SoilsQuery" {
-        kind: String = Choice { doc: "Only soils of this kind.", words: catalogue::soil_kinds, default: None },
-    }
-}
+impl Request for SoilsCase {
+    const OBJECT: &'static Object = &Object { name: "SoilsQuery", doc: "Which soils to list.", groups: &[&[&SOIL_KIND]] };
 
-impl Request for WheelsDto {
-    type Query = Option<&'static str>;
-
-    fn check(&self, place: &Scope<'_>) -> Option<Self::Query> {
-        kind_of(&self.kind(), place)
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        object.optional(&SOIL_KIND).map(Self)
     }
-}
-
-impl Request for SoilsDto {
-    type Query = Option<&'static str>;
-
-    fn check(&self, place: &Scope<'_>) -> Option<Self::Query> {
-        kind_of(&self.kind(), place)
-    }
-}
-
-/// The kind that is asked for, if one is; one that is not known is reported with all that are.
-fn kind_of(entry: &Entry<'_, String>, place: &Scope<'_>) -> Option<Option<&'static str>> {
-    if !entry.is_present() {
-        return Some(None);
-    }
-    let word = entry.given(place)?;
-    let kinds = (entry.spec.words)();
-    let found = kinds.iter().copied().find(|kind| kind == word);
-    if found.is_none() {
-        place.field(entry.name).fault(format_args!("unknown name `{}`; known are {}", shortened(word), kinds.join(", ")));
-    }
-    found.map(Some)
 }

@@ -1,138 +1,110 @@
 //! The requests of `/v1/identify/plates` and `/v1/identify/shear`: lists of curves.
 
 use terramechanics_identification::{MOST_CURVES, MOST_PLATES, PlateCurve, PlatesError, ShearCurve, ShearError};
+use terramechanics_reading::{Field, FieldFault, Number, Numbers, Object, Objects, Reader};
 
 use super::Request;
-use crate::wire::{Entry, FieldFault, List, ListSpec, Nested, Number, Object, Scope, Series, SeriesSpec, wire_object};
 
-const SINKAGE: Number = Number::new("Sinkage z (m).", 0.0, 100.0);
-const PRESSURE: Number = Number::new("Pressure p (Pa).", 0.0, 1e12);
-const DISPLACEMENT: Number = Number::new("Shear displacement j (m).", 0.0, 100.0);
-const SHEAR: Number = Number::new("Shear stress τ (Pa).", -1e12, 1e12);
+/// Numbers that a column has at most.
+const MOST: usize = 10_001;
 
-const fn column(doc: &'static str, number: Number) -> SeriesSpec {
-    SeriesSpec { doc, number, fewest: 1, required: true }
+const fn column(name: &'static str, meaning: &'static str, number: Number) -> Field<Numbers> {
+    Field::required(name, meaning, Numbers::new(number, 1, MOST))
 }
 
-wire_object! {
-    /// Pressure over sinkage, as columns of one length. Rows without sinkage tell nothing of a power of it and are left out; of the others, one at least has to have a pressure.
-    PlateColumnsDto as "PlateColumns" {
-        sinkage_m: Series = column("Sinkage z (m).", SINKAGE),
-        pressure_pa: Series = column("Pressure p (Pa).", PRESSURE),
-    }
-}
+const SINKAGE: Field<Numbers> = column("sinkage_m", "Sinkage z (m).", Number::new("m", 0.0, 100.0));
+const PRESSURE: Field<Numbers> = column("pressure_pa", "Pressure p (Pa).", Number::new("Pa", 0.0, 1e12));
+const PLATE_CURVE: Object = Object {
+    name: "PlateColumns",
+    doc: "Pressure over sinkage, as columns of one length. Rows without sinkage tell nothing of a power of it and are left out; of the others, one at least has to have a pressure.",
+    groups: &[&[&SINKAGE, &PRESSURE]],
+};
+const WIDTH: Field<Number> =
+    Field::required("width_m", "Smaller side, or radius of a round plate, b (m).", Number::new("m", 1e-3, 100.0));
+const PLATE_COLUMNS: Field<&Object> = Field::required("columns", "The measured curve.", &PLATE_CURVE);
+const PLATE: Object =
+    Object { name: "Plate", doc: "A plate and what was measured under it.", groups: &[&[&WIDTH, &PLATE_COLUMNS]] };
+const PLATES: Field<Objects> =
+    Field::required("plates", "The plates, of at least two widths.", Objects { object: &PLATE, fewest: 2, most: MOST_PLATES });
 
-wire_object! {
-    /// A plate and what was measured under it.
-    PlateDto as "Plate" {
-        width_m: f64 = Number::new("Smaller side, or radius of a round plate, b (m).", 1e-3, 100.0).required(),
-        columns: PlateColumnsDto = Nested::required("The measured curve."),
-    }
-}
-
-wire_object! {
-    /// Curves of two or more plates of different width.
-    PlatesDto as "PlatesRequest" {
-        plates: List<PlateDto> = ListSpec::required("The plates, of at least two widths.", 2, MOST_PLATES),
-    }
-}
-
-wire_object! {
-    /// Shear stress over displacement, as columns of one length.
-    ShearColumnsDto as "ShearColumns" {
-        displacement_m: Series = column("Shear displacement j (m).", DISPLACEMENT),
-        shear_stress_pa: Series = column("Shear stress τ (Pa).", SHEAR),
-    }
-}
-
-wire_object! {
-    /// A shear test under one normal stress.
-    ShearCurveDto as "ShearCurve" {
-        normal_stress_pa: f64 = Number::new("Normal stress σ (Pa).", 0.0, 1e12).required(),
-        columns: ShearColumnsDto = Nested::required("The measured curve."),
-    }
-}
-
-wire_object! {
-    /// Shear tests under two or more normal stresses.
-    ShearTestsDto as "ShearTestsRequest" {
-        curves: List<ShearCurveDto> = ListSpec::required("The tests, under at least two normal stresses.", 2, MOST_CURVES),
-    }
-}
+const DISPLACEMENT: Field<Numbers> = column("displacement_m", "Shear displacement j (m).", Number::new("m", 0.0, 100.0));
+const SHEAR_STRESS: Field<Numbers> = column("shear_stress_pa", "Shear stress τ (Pa).", Number::new("Pa", -1e12, 1e12));
+const SHEAR_CURVE: Object = Object {
+    name: "ShearColumns",
+    doc: "Shear stress over displacement, as columns of one length.",
+    groups: &[&[&DISPLACEMENT, &SHEAR_STRESS]],
+};
+const NORMAL_STRESS: Field<Number> = Field::required("normal_stress_pa", "Normal stress σ (Pa).", Number::new("Pa", 0.0, 1e12));
+const SHEAR_COLUMNS: Field<&Object> = Field::required("columns", "The measured curve.", &SHEAR_CURVE);
+const SHEAR_TEST: Object =
+    Object { name: "ShearCurve", doc: "A shear test under one normal stress.", groups: &[&[&NORMAL_STRESS, &SHEAR_COLUMNS]] };
+const CURVES: Field<Objects> = Field::required(
+    "curves",
+    "The tests, under at least two normal stresses.",
+    Objects { object: &SHEAR_TEST, fewest: 2, most: MOST_CURVES },
+);
 
 /// Two columns of one length.
-fn pair(first: &Entry<'_, Series>, second: &Entry<'_, Series>, place: &Scope<'_>) -> Option<(Vec<f64>, Vec<f64>)> {
-    let (values, others) = (first.required_numbers(place), second.required_numbers(place));
+fn pair<'r>(columns: &'r Reader<'_>, first: &Field<Numbers>, second: &Field<Numbers>) -> Option<(&'r [f64], &'r [f64])> {
+    let (values, others) = (columns.required(first), columns.required(second));
     let (values, others) = (values?, others?);
     if values.len() != others.len() {
         let (found, expected) = (others.len(), values.len());
-        place.field(second.name).fault(format_args!("has {found} values where `{}` has {expected}", first.name));
+        columns.place_of(second).fault(format_args!("has {found} values where `{}` has {expected}", first.name));
         return None;
     }
     Some((values, others))
 }
 
-impl PlateDto {
-    /// The curve, and how many rows without sinkage were left out of it.
-    fn check(&self, place: &Scope<'_>) -> Option<(PlateCurve, usize)> {
-        self.report_oddities(place);
-        let width = self.width_m().required_number(place);
-        let around = place.field("columns");
-        let columns = self.columns().required(place).and_then(|columns| {
-            columns.report_oddities(&around);
-            pair(&columns.sinkage_m(), &columns.pressure_pa(), &around)
-        });
-        let (sinkage, pressure): (Vec<f64>, Vec<f64>) = columns?;
-        let rows = sinkage.len();
-        let (sinkage, pressure): (Vec<f64>, Vec<f64>) = sinkage.into_iter().zip(pressure).filter(|(z, _)| *z > 0.0).unzip();
-        if sinkage.is_empty() {
-            around.field("sinkage_m").fault("has no value greater than 0");
-            return None;
-        }
-        let left_out = rows - sinkage.len();
-        Some((PlateCurve { width: width?, sinkage, pressure }, left_out))
+/// The curve of a plate, and how many rows without sinkage were left out of it.
+fn plate(object: &Reader<'_>) -> Option<(PlateCurve, usize)> {
+    let width = object.required(&WIDTH);
+    let columns = object.required(&PLATE_COLUMNS)?;
+    let (all, pressure) = pair(&columns, &SINKAGE, &PRESSURE)?;
+    let rows = all.iter().copied().zip(pressure.iter().copied());
+    let (sinkage, pressure): (Vec<f64>, Vec<f64>) = rows.filter(|(z, _)| *z > 0.0).unzip();
+    if sinkage.is_empty() {
+        columns.place_of(&SINKAGE).fault("has no value greater than 0");
+        return None;
     }
+    let left_out = all.len() - sinkage.len();
+    Some((PlateCurve { width: width?, sinkage, pressure }, left_out))
 }
 
-impl ShearCurveDto {
-    fn check(&self, place: &Scope<'_>) -> Option<ShearCurve> {
-        self.report_oddities(place);
-        let normal = self.normal_stress_pa().required_number(place);
-        let around = place.field("columns");
-        let columns = self.columns().required(place).and_then(|columns| {
-            columns.report_oddities(&around);
-            pair(&columns.displacement_m(), &columns.shear_stress_pa(), &around)
-        });
-        let (displacement, shear) = columns?;
-        Some(ShearCurve { normal: normal?, displacement, shear })
-    }
+fn shear_test(object: &Reader<'_>) -> Option<ShearCurve> {
+    let normal = object.required(&NORMAL_STRESS);
+    let columns = object.required(&SHEAR_COLUMNS)?;
+    let (displacement, shear) = pair(&columns, &DISPLACEMENT, &SHEAR_STRESS)?;
+    Some(ShearCurve { normal: normal?, displacement: displacement.to_vec(), shear: shear.to_vec() })
 }
 
 /// Plate tests, checked.
-pub(crate) struct PlatesQuery {
+pub(crate) struct PlatesCase {
     pub(crate) curves: Vec<PlateCurve>,
     /// Rows without sinkage.
     pub(crate) left_out: usize,
 }
 
 /// Shear tests, checked.
-pub(crate) struct ShearTestsQuery(pub(crate) Vec<ShearCurve>);
+pub(crate) struct ShearTestsCase(pub(crate) Vec<ShearCurve>);
 
-impl Request for PlatesDto {
-    type Query = PlatesQuery;
+impl Request for PlatesCase {
+    const OBJECT: &'static Object =
+        &Object { name: "PlatesRequest", doc: "Curves of two or more plates of different width.", groups: &[&[&PLATES]] };
 
-    fn check(&self, place: &Scope<'_>) -> Option<PlatesQuery> {
-        let checked = self.plates().each(place, PlateDto::check)?;
-        let left_out = checked.iter().map(|(_, left_out)| left_out).sum();
-        Some(PlatesQuery { curves: checked.into_iter().map(|(curve, _)| curve).collect(), left_out })
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let plates = object.required(&PLATES)?.each(|object, _| plate(object))?;
+        let left_out = plates.iter().map(|(_, left_out)| left_out).sum();
+        Some(Self { curves: plates.into_iter().map(|(curve, _)| curve).collect(), left_out })
     }
 }
 
-impl Request for ShearTestsDto {
-    type Query = ShearTestsQuery;
+impl Request for ShearTestsCase {
+    const OBJECT: &'static Object =
+        &Object { name: "ShearTestsRequest", doc: "Shear tests under two or more normal stresses.", groups: &[&[&CURVES]] };
 
-    fn check(&self, place: &Scope<'_>) -> Option<ShearTestsQuery> {
-        self.curves().each(place, ShearCurveDto::check).map(ShearTestsQuery)
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        object.required(&CURVES)?.each(|object, _| shear_test(object)).map(Self)
     }
 }
 
@@ -144,7 +116,7 @@ pub(crate) fn plates_fault(error: PlatesError) -> FieldFault {
             "/plates".to_owned()
         }
     };
-    FieldFault { pointer, detail: error.to_string() }
+    FieldFault::new(pointer, error)
 }
 
 /// What shear tests whose fields are each right do not tell.
@@ -159,5 +131,5 @@ pub(crate) fn shear_fault(error: ShearError) -> FieldFault {
         | ShearError::NotFinite
         | ShearError::Stopped => "/curves".to_owned(),
     };
-    FieldFault { pointer, detail: error.to_string() }
+    FieldFault::new(pointer, error)
 }

@@ -1,76 +1,100 @@
-//! The method and what it takes: constants of the closed forms, laws of a braking wheel.
+//! The method, and what it takes: constants of the closed forms, the stresses, laws of a braking wheel.
 
-use terramechanics::{Braking, Contact, Error, Method, PeakDepth};
+use terramechanics::{Braking, Contact, Error, Lambda, Method, NormalStressRadius, PeakDepth};
+use terramechanics_reading::{Alternative, Either, Field, Group, Number, OneOf, Reader, Word};
 
-use super::operation::or_none;
-use crate::wire::{Entry, Lambda, Scope};
+use super::laws::number;
 
-/// The fields that choose a method.
-pub(super) struct MethodEntries<'a> {
-    pub(super) method: Entry<'a, String>,
-    pub(super) lambda_a: Entry<'a, Lambda>,
-    pub(super) lambda_b: Entry<'a, Lambda>,
+/// A method without its constants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum MethodName {
+    Quadrature,
+    Linearised,
+    Explicit,
 }
+
+pub(super) const METHODS: Word<MethodName> = Word::new(&[
+    ("quadrature", MethodName::Quadrature),
+    ("linearised", MethodName::Linearised),
+    ("explicit", MethodName::Explicit),
+]);
+pub(super) const METHOD_FIELD: Field<Word<MethodName>> = Field::new(
+    "method",
+    "quadrature: the integral of the stresses; linearised: linear stresses, closed form; explicit: the letter's formulas.",
+    METHODS.or(MethodName::Quadrature),
+);
+pub(super) const NORMAL_STRESS_RADIUS: Field<Word<NormalStressRadius>> = Field::new(
+    "normal_stress_radius",
+    "Radius at which the normal stress acts: the rim r, or the shearing radius r_s.",
+    Word::new(&[("rim", NormalStressRadius::Rim), ("shearing", NormalStressRadius::Shearing)]).or(NormalStressRadius::Rim),
+);
+pub(super) const PEAK_SINKAGE: Field<Word<PeakDepth>> = Field::new(
+    "peak_sinkage",
+    "Depth under the peak in the closed forms: geometric (default when linearised) or half of the sinkage (default when explicit).",
+    Word::new(&[("geometric", PeakDepth::Geometric), ("half", PeakDepth::Half)]),
+);
+pub(super) const BRAKING_FIELD: Field<Word<Braking>> = Field::new(
+    "braking",
+    "Law for a braking wheel, s < 0. one_zone: the displacement of a driving wheel continued; two_zone: Wong & Reece's towed wheel, whose shear reverses at the peak of the stresses; by quadrature alone, and it does not join the rolling wheel at s = 0.",
+    BRAKING_LAWS.or(Braking::OneZone),
+);
+pub(super) const BRAKING_LAWS: Word<Braking> = Word::new(&[("one_zone", Braking::OneZone), ("two_zone", Braking::TwoZone)]);
+/// λ of the explicit method.
+pub(super) const LAMBDA: Number = number(&Lambda::A);
+const LAMBDA_OR_EXACT: OneOf = OneOf {
+    default: Lambda::A.default(),
+    ..OneOf::new(
+        "a number or \"exact\"",
+        &[Alternative::Number(LAMBDA), Alternative::Word("exact", "The value at which the approximation is exact.")],
+    )
+};
+pub(super) const LAMBDA_A: Field<OneOf> = Field::new(Lambda::A.name, "λ_A of A ≈ (1 − λ_A) √(z/2r) (–).", LAMBDA_OR_EXACT);
+pub(super) const LAMBDA_B: Field<OneOf> = Field::new(Lambda::B.name, "λ_B of B ≈ (1 + λ_B) z/(2r) (–).", LAMBDA_OR_EXACT);
+
+pub(super) const LAMBDAS: Group = &[&LAMBDA_A, &LAMBDA_B];
+pub(super) const METHOD: Group = &[&METHOD_FIELD];
+pub(super) const STRESSES: Group = &[&NORMAL_STRESS_RADIUS, &PEAK_SINKAGE];
+pub(super) const BRAKING: Group = &[&BRAKING_FIELD];
 
 /// How the closed forms are made.
 #[derive(Clone, Copy)]
 pub(super) struct ClosedForms {
     /// The depth under the peak, where one was asked for.
-    pub(super) peak_depth: Option<PeakDepth>,
-    pub(super) lambda_a: terramechanics::Lambda,
-    pub(super) lambda_b: terramechanics::Lambda,
+    peak_depth: Option<PeakDepth>,
+    lambda_a: Lambda,
+    lambda_b: Lambda,
 }
 
 impl ClosedForms {
+    /// With the constants that were sent; what cannot be one is reported and stands for 0.
+    pub(super) fn read(object: &Reader<'_>, peak_depth: Option<PeakDepth>) -> Self {
+        let lambda = |field| match object.optional(field).flatten() {
+            Some(Either::Number(value)) => Lambda::Given(value),
+            Some(Either::Word) => Lambda::Exact,
+            _ => Lambda::Given(0.0),
+        };
+        Self { peak_depth, lambda_a: lambda(&LAMBDA_A), lambda_b: lambda(&LAMBDA_B) }
+    }
+
     /// The method of that name.
-    pub(super) fn method(&self, name: &str) -> Option<Method> {
+    pub(super) fn method(&self, name: MethodName) -> Method {
         let Self { peak_depth, lambda_a, lambda_b } = *self;
         match name {
-            "quadrature" => Some(Method::Quadrature),
-            "linearised" => Some(Method::Linearised { peak_depth: peak_depth.unwrap_or(PeakDepth::Geometric) }),
-            "explicit" => Some(Method::Explicit { peak_depth: peak_depth.unwrap_or(PeakDepth::Half), lambda_a, lambda_b }),
-            _ => None,
+            MethodName::Quadrature => Method::Quadrature,
+            MethodName::Linearised => Method::Linearised { peak_depth: peak_depth.unwrap_or(PeakDepth::Geometric) },
+            MethodName::Explicit => Method::Explicit { peak_depth: peak_depth.unwrap_or(PeakDepth::Half), lambda_a, lambda_b },
         }
     }
 }
 
-/// A constant of the explicit formulas, 0 where none was sent; what cannot be one is reported and stands for 0 as well.
-pub(super) fn checked_lambda(entry: &Entry<'_, Lambda>, place: &Scope<'_>) -> terramechanics::Lambda {
-    let sent = match entry.given(place) {
-        Some(Lambda::Number(value)) => {
-            entry.spec.number.check(&place.field(entry.name), *value).map(terramechanics::Lambda::Given)
-        }
-        Some(Lambda::Word(word)) if word == "exact" => Some(terramechanics::Lambda::Exact),
-        Some(Lambda::Word(_)) => {
-            place.field(entry.name).fault("must be a number or \"exact\"");
-            None
-        }
-        None => None,
-    };
-    sent.unwrap_or(terramechanics::Lambda::Given(0.0))
-}
-
-impl MethodEntries<'_> {
-    pub(super) fn check(&self, place: &Scope<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
-        let (lambda_a, lambda_b) = (checked_lambda(&self.lambda_a, place), checked_lambda(&self.lambda_b, place));
-        let closed_forms = ClosedForms { peak_depth, lambda_a, lambda_b };
-        let method = or_none(&self.method, place, |name| closed_forms.method(name));
-        Some(method?.unwrap_or(Method::Quadrature))
-    }
-}
-
-/// The law for a braking wheel, `default` where none was sent; nothing where the word is wrong, which is reported.
-pub(super) fn braking_law(entry: &Entry<'_, String>, place: &Scope<'_>, default: Braking) -> Option<Braking> {
-    let law = or_none(entry, place, |word| match word {
-        "one_zone" => Some(Braking::OneZone),
-        "two_zone" => Some(Braking::TwoZone),
-        _ => None,
-    })?;
-    Some(law.unwrap_or(default))
+/// The method, of a request that has one.
+pub(super) fn read(object: &Reader<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
+    let closed_forms = ClosedForms::read(object, peak_depth);
+    object.or_default(&METHOD_FIELD).map(|name| closed_forms.method(name))
 }
 
 /// Reports two zones with a closed form or a slip angle; false where it did.
-pub(super) fn takes_two_zones(method: Method, contact: &Contact, braking: &Entry<'_, String>, place: &Scope<'_>) -> bool {
+pub(super) fn takes_two_zones(object: &Reader<'_>, method: Method, contact: &Contact) -> bool {
     if contact.braking() != Braking::TwoZone {
         return true;
     }
@@ -80,7 +104,7 @@ pub(super) fn takes_two_zones(method: Method, contact: &Contact, braking: &Entry
         Method::Linearised { .. } | Method::Explicit { .. } => Some(Error::ClosedFormOfTwoZones),
     };
     if let Some(error) = refusal {
-        place.field(braking.name).fault(error);
+        object.place_of(&BRAKING_FIELD).fault(error);
     }
     refusal.is_none()
 }

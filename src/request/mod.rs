@@ -1,87 +1,63 @@
-//! Requests as they stand on the wire, and what they become: the only place where input is checked and converted.
+//! Requests as a client writes them, and what they become: the only place where input is checked and converted.
+//!
+//! A part of a request (the wheel, the motion, the sinkage) is declared, read and turned into its domain value in one file. A request
+//! names its groups of fields and calls their readers.
 
 mod axis;
 mod catalogue;
 mod compare;
-mod contact;
 mod coupled;
 mod curves;
+mod documented;
 mod forces;
 mod identify;
+mod laws;
 mod method;
 mod motion;
 mod operation;
-mod pressure_sinkage;
+mod preset;
 mod refusal;
 mod resistances;
 mod series;
-mod shear;
 mod side_slip;
-mod slip_sinkage;
+mod sinkage;
 mod slip_sweep;
 mod soil;
 mod stress_profile;
+mod system;
 mod towed;
 mod track;
-mod variants;
 mod wheel;
 
-pub(crate) use catalogue::{SoilsDto, WheelsDto};
-pub(crate) use compare::{Case, CompareDto, CompareQuery};
-pub(crate) use contact::{ContactDto, RULES};
-pub(crate) use coupled::{CoupledDto, CoupledQuery};
-pub(crate) use curves::{PlatesDto, PlatesQuery, ShearTestsDto, ShearTestsQuery, plates_fault, shear_fault};
-pub(crate) use forces::{ForcesDto, ForcesQuery};
-pub(crate) use identify::{FitQuery, IdentifyDto, IdentifyQuery, LinearQuery, column_name, fit_fault, name_of, refusal_pointer};
-pub(crate) use pressure_sinkage::{LAWS, PressureSinkageDto};
+pub(crate) use catalogue::{SoilsCase, WheelsCase};
+pub(crate) use compare::{CompareCase, Variation};
+pub(crate) use coupled::CoupledCase;
+pub(crate) use curves::{PlatesCase, ShearTestsCase, plates_fault, shear_fault};
+pub(crate) use documented::*;
+pub(crate) use forces::ForcesCase;
+pub(crate) use identify::{FitCase, IdentifyCase, LinearCase, column_name, fit_fault, name_of, refusal_pointer};
 pub(crate) use refusal::{error_fault, error_pointer};
-pub(crate) use resistances::{ResistancesDto, ResistancesQuery};
-use series::ColumnsDto;
+pub(crate) use resistances::ResistancesCase;
 pub(crate) use series::Samples;
-pub(crate) use shear::SHEAR_LAWS;
-pub(crate) use slip_sinkage::SlipSinkageDto;
-pub(crate) use slip_sweep::{SweepDto, SweepQuery};
-pub(crate) use soil::SoilDto;
-pub(crate) use stress_profile::{ProfileDto, ProfileQuery};
-pub(crate) use towed::{TowedDto, TowedQuery};
-pub(crate) use track::{TrackDto, TrackPlan, TrackQuery, TrackSettings, checked_settings};
-pub(crate) use wheel::WheelDto;
+pub(crate) use slip_sweep::SweepCase;
+pub(crate) use stress_profile::ProfileCase;
+pub(crate) use towed::TowedCase;
+pub(crate) use track::{TrackCase, TrackPlan, TrackSettings, checked_settings};
 
-use std::cell::RefCell;
+use terramechanics_reading::{FieldFault, Node, Object, Reader, read};
 
-use crate::wire::{Field, FieldFault, Object, Scope, Wire};
+use crate::words::HINTS;
 
-/// A request body and the query it stands for.
-pub(crate) trait Request: Wire + Object {
-    /// The query: valid domain values in SI units.
-    type Query: Send + 'static;
+/// A checked request: valid domain values in SI units.
+pub(crate) trait Request: Sized + Send + 'static {
+    /// What a client may write.
+    const OBJECT: &'static Object;
 
-    /// Checks everything and reports every fault to `place`; none only where something was reported.
-    fn check(&self, place: &Scope<'_>) -> Option<Self::Query>;
+    /// Checks everything and reports every fault; none only where something was reported.
+    fn read(object: &Reader<'_>) -> Option<Self>;
 }
 
-/// The query of a request body, or all its faults.
-pub(crate) fn checked<R: Request>(body: &Field<R>) -> Result<R::Query, Vec<FieldFault>> {
-    collected(|root| match body {
-        Field::Given(request) => {
-            request.report_oddities(root);
-            request.check(root)
-        }
-        Field::Wrong(found) => {
-            root.fault(format_args!("the body must be a JSON object, not {found}"));
-            None
-        }
-        Field::Absent => None,
-    })
-}
-
-/// What `check` makes of a request, or all the faults that it reports.
-pub(crate) fn collected<T>(check: impl FnOnce(&Scope<'_>) -> Option<T>) -> Result<T, Vec<FieldFault>> {
-    let faults = RefCell::default();
-    let checked = check(&Scope::root(&faults));
-    let faults = faults.into_inner();
-    match checked {
-        Some(checked) if faults.is_empty() => Ok(checked),
-        _ => Err(faults),
-    }
+/// The request in a body or a query, or all its faults.
+pub(crate) fn checked<R: Request>(node: &Node<'_>) -> Result<R, Vec<FieldFault>> {
+    read(node, R::OBJECT, &HINTS, R::read)
 }

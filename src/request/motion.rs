@@ -1,44 +1,50 @@
 //! The slip of one operating point: given, or by velocities.
 
 use terramechanics::{Motion, Slip, Velocities, Wheel};
+use terramechanics_reading::{Field, Group, Number, Reader};
 
-use crate::wire::{Entry, Scope};
+use super::laws::{field, number};
 
-/// The fields that give the slip of one operating point.
-pub(super) struct MotionEntries<'a> {
-    pub(super) slip: Entry<'a, f64>,
-    pub(super) forward_velocity: Entry<'a, f64>,
-    pub(super) angular_velocity: Entry<'a, f64>,
-}
+/// A slip ratio.
+pub(super) const RATIO: Number = number(&Slip::RATIO).share();
 
-impl MotionEntries<'_> {
-    /// The motion: from the slip, or from both velocities and the wheel.
-    pub(super) fn check(&self, place: &Scope<'_>, wheel: Option<&Wheel>) -> Option<Motion> {
-        let slip = self.slip.checked(place);
-        let (forward, angular) = (self.forward_velocity.checked(place), self.angular_velocity.checked(place));
-        let velocities = [&self.forward_velocity, &self.angular_velocity].map(Entry::is_present);
-        match (self.slip.is_present(), velocities) {
-            (true, [false, false]) => {
-                let slip = Slip::new(slip?).map_err(|error| place.field(self.slip.name).fault(error)).ok()?;
-                Some(Motion::forward(slip))
-            }
-            (false, [true, true]) => {
-                let velocities = Velocities { forward: forward?, angular: angular? };
-                Motion::of(wheel?, velocities).map_err(|error| place.field(self.angular_velocity.name).fault(error)).ok()
-            }
-            (true, _) => {
-                place.field(self.slip.name).fault("give either `slip` or both velocities, not both");
-                None
-            }
-            (false, [false, false]) => {
-                place.field(self.slip.name).fault("is required, or both `forward_velocity_m_s` and `angular_velocity_rad_s`");
-                None
-            }
-            (false, [there, _]) => {
-                let missing = if there { &self.angular_velocity } else { &self.forward_velocity };
-                place.field(missing.name).fault("is required with the other velocity");
-                None
-            }
+pub(super) const SLIP: Field<Number> = Field::new(
+    Slip::RATIO.name,
+    "Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.",
+    RATIO,
+);
+const FORWARD_VELOCITY: Field<Number> =
+    field(&Velocities::FORWARD, "Forward velocity v of the axle (m/s); with angular_velocity_rad_s instead of slip.");
+const ANGULAR_VELOCITY: Field<Number> =
+    field(&Velocities::ANGULAR, "Angular velocity ω of the wheel (rad/s), positive when it rolls forward.");
+
+pub(super) const MOTION: Group = &[&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY];
+
+/// The motion: from the slip, or from both velocities and the wheel.
+pub(super) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Motion> {
+    let slip = object.optional(&SLIP);
+    let (forward, angular) = (object.optional(&FORWARD_VELOCITY), object.optional(&ANGULAR_VELOCITY));
+    match (object.has(&SLIP), [object.has(&FORWARD_VELOCITY), object.has(&ANGULAR_VELOCITY)]) {
+        (true, [false, false]) => {
+            let slip = Slip::new(slip??).map_err(|error| object.place_of(&SLIP).fault(error)).ok()?;
+            Some(Motion::forward(slip))
+        }
+        (false, [true, true]) => {
+            let velocities = Velocities { forward: forward??, angular: angular?? };
+            Motion::of(wheel?, velocities).map_err(|error| object.place_of(&ANGULAR_VELOCITY).fault(error)).ok()
+        }
+        (true, _) => {
+            object.place_of(&SLIP).fault("give either `slip` or both velocities, not both");
+            None
+        }
+        (false, [false, false]) => {
+            object.place_of(&SLIP).fault("is required, or both `forward_velocity_m_s` and `angular_velocity_rad_s`");
+            None
+        }
+        (false, [there, _]) => {
+            let missing = if there { &ANGULAR_VELOCITY } else { &FORWARD_VELOCITY };
+            object.place_of(missing).fault("is required with the other velocity");
+            None
         }
     }
 }

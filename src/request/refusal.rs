@@ -1,8 +1,9 @@
 //! Refusals of the model as faults of the request.
 
-use terramechanics::{Error, Sinkage, SoilLaw};
+use terramechanics::{Error, Sinkage, SoilLaw, WheelOnSoil};
+use terramechanics_reading::{FieldFault, Figures};
 
-use crate::wire::FieldFault;
+use super::laws::number;
 
 /// The field of a request to which a refusal of the model belongs.
 pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
@@ -39,12 +40,18 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
 
 /// A refusal of the model as a fault of the request.
 pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
-    let pointer = error_pointer(error, sinkage).to_owned();
-    let detail = match (error, sinkage) {
-        (Error::SinkageOutsideWheel { .. }, Sinkage::FromStatic { .. }) => {
-            format!("by the slip–sinkage law at this slip, {error}")
+    let fault = FieldFault::new(error_pointer(error, sinkage), error);
+    match error {
+        Error::SinkageOutsideWheel { sinkage: value, radius } => {
+            let figures = Figures { maximum: Some(*radius), ..number(&WheelOnSoil::SINKAGE).figures(*value) };
+            let detail = match sinkage {
+                // The sinkage that was refused is not the number that was sent.
+                Sinkage::FromStatic { .. } => format!("by the slip–sinkage law at this slip, {}", fault.detail),
+                _ => fault.detail,
+            };
+            FieldFault { detail, ..fault }.with(figures)
         }
-        _ => error.to_string(),
-    };
-    FieldFault { pointer, detail }
+        Error::Invalid(refused) => fault.with(number(refused.parameter).figures(refused.value)),
+        _ => fault,
+    }
 }

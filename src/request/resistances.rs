@@ -1,46 +1,40 @@
 //! The request of `/v1/resistances`.
 
 use terramechanics::{Contact, Slip, WheelOnSoil};
+use terramechanics_reading::{Field, Number, Object, Reader};
 
-use super::operation;
-use super::soil::Needs;
-use super::{Request, SoilDto, WheelDto};
-use crate::wire::{Number, Scope, wire_object};
+use super::Request;
+use super::motion::RATIO;
+use super::sinkage::LOAD;
+use super::soil::{self, Needs};
+use super::system::{self, SOIL, WHEEL};
 
-const NORMAL_LOAD: Number = Number::within(&WheelOnSoil::NORMAL_LOAD, "Vertical load W on the wheel (N).").required();
-const SLIP: Number = Number::within(&Slip::RATIO, "Slip ratio s (–), for the thrust alone, which needs one greater than 0.");
-
-wire_object! {
-    /// A wheel on a soil under a load, for Bekker's estimates.
-    ResistancesDto as "ResistancesRequest" {
-        wheel: WheelDto = operation::WHEEL,
-        soil: SoilDto = operation::SOIL,
-        normal_load_n: f64 = NORMAL_LOAD,
-        slip: f64 = SLIP,
-    }
-}
+const NORMAL_LOAD: Field<Number> = Field::required(WheelOnSoil::NORMAL_LOAD.name, "Vertical load W on the wheel (N).", LOAD);
+const SLIP: Field<Number> = Field::new("slip", "Slip ratio s (–), for the thrust alone, which needs one greater than 0.", RATIO);
 
 /// A wheel under a load, checked.
-pub(crate) struct ResistancesQuery {
+pub(crate) struct ResistancesCase {
     pub(crate) system: WheelOnSoil,
     pub(crate) normal_load: f64,
     pub(crate) slip: Option<Slip>,
 }
 
-impl Request for ResistancesDto {
-    type Query = ResistancesQuery;
+impl Request for ResistancesCase {
+    const OBJECT: &'static Object = &Object {
+        name: "ResistancesRequest",
+        doc: "A wheel on a soil under a load, for Bekker's estimates.",
+        groups: &[&[&WHEEL, &SOIL, &NORMAL_LOAD, &SLIP]],
+    };
 
-    fn check(&self, place: &Scope<'_>) -> Option<ResistancesQuery> {
-        let wheel = self.wheel().required(place).and_then(|dto| dto.check(&place.field(self.wheel().name)));
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let wheel = system::read_wheel(object);
         // Nothing but the thrust, which needs a slip, depends on the shear.
-        let soil = self.soil().required(place).and_then(|dto| {
-            let needs = Needs { shear: self.slip().is_present(), ..Needs::BOTH_LAWS };
-            dto.check(&place.field(self.soil().name), needs)
-        });
-        let normal_load = self.normal_load_n().required_number(place);
-        let slip = self.slip().checked(place).and_then(|ratio| Slip::new(ratio).ok());
+        let needs = Needs { shear: object.has(&SLIP), ..Needs::ALL };
+        let soil = object.required(&SOIL).and_then(|soil| soil::read(&soil, needs));
+        let normal_load = object.required(&NORMAL_LOAD);
+        let slip = object.optional(&SLIP).map(|slip| slip.and_then(|ratio| Slip::new(ratio).ok()));
         // The estimates know no contact rule: any will do.
-        let system = WheelOnSoil { wheel: wheel?, soil: soil?.0, contact: Contact::MIDPOINT };
-        Some(ResistancesQuery { system, normal_load: normal_load?, slip })
+        let system = WheelOnSoil { wheel: wheel?, soil: soil?.soil, contact: Contact::MIDPOINT };
+        Some(Self { system, normal_load: normal_load?, slip: slip? })
     }
 }

@@ -1,66 +1,44 @@
 //! Motion at an angle to the plane of the wheel.
 
 use terramechanics::{Bulldozing, Method, ShearCoupling, SideSlip, SlipAngle};
+use terramechanics_reading::{Field, Group, Number, Reader, Word};
 
-use super::operation::or_none;
-use crate::wire::{Choice, Entry, Number, Scope};
+use super::laws::field;
 
-pub(super) const SLIP_ANGLE: Number = Number::within(
+const SLIP_ANGLE: Field<Number> = field(
     &SlipAngle::ANGLE,
     "Slip angle β (rad) from the velocity to the heading, positive where the wheel moves to its right; quadrature only. Straight ahead unless sent; where it is, the answer has the lateral force and its moments.",
-)
-.angle();
-pub(super) const SHEAR_COUPLING: Choice = Choice {
-    doc: "Shear stresses along and across the wheel: independent of each other (Ishigami et al.), or coupled into one along the slip velocity (Pavlov & Johnson), which is nearer to the measurements of `/v1/validation`.",
-    words: || vec!["independent", "coupled"],
-    default: Some("independent"),
-};
-pub(super) const BULLDOZING: Choice = Choice {
-    doc: "Pressure of the soil on the side wall: full, however small the slip angle (Ishigami et al.), or the share that the sideways displacement has mobilised, which is nearer to the measurements of `/v1/validation`.",
-    words: || vec!["full", "mobilised"],
-    default: Some("full"),
-};
+);
+const SHEAR_COUPLING: Field<Word<ShearCoupling>> = Field::new(
+    "shear_coupling",
+    "Shear stresses along and across the wheel: independent of each other (Ishigami et al.), or coupled into one along the slip velocity (Pavlov & Johnson), which is nearer to the measurements of `/v1/validation`.",
+    Word::new(&[("independent", ShearCoupling::Independent), ("coupled", ShearCoupling::Coupled)]).or(ShearCoupling::Independent),
+);
+const BULLDOZING: Field<Word<Bulldozing>> = Field::new(
+    "bulldozing",
+    "Pressure of the soil on the side wall: full, however small the slip angle (Ishigami et al.), or the share that the sideways displacement has mobilised, which is nearer to the measurements of `/v1/validation`.",
+    Word::new(&[("full", Bulldozing::Full), ("mobilised", Bulldozing::Mobilised)]).or(Bulldozing::Full),
+);
 
-/// The fields that make a wheel move sideways; none of them means that it goes straight ahead.
-pub(super) struct SideSlipEntries<'a> {
-    pub(super) slip_angle: Entry<'a, f64>,
-    pub(super) shear_coupling: Entry<'a, String>,
-    pub(super) bulldozing: Entry<'a, String>,
-}
+pub(super) const SIDE_SLIP: Group = &[&SLIP_ANGLE, &SHEAR_COUPLING, &BULLDOZING];
 
-impl SideSlipEntries<'_> {
-    /// The method at the slip angle, if one was sent; a closed form has none, but goes straight ahead as well as any.
-    pub(super) fn check(&self, place: &Scope<'_>, method: Option<Method>) -> Option<Method> {
-        let coupling = or_none(&self.shear_coupling, place, |word| match word {
-            "independent" => Some(ShearCoupling::Independent),
-            "coupled" => Some(ShearCoupling::Coupled),
-            _ => None,
-        });
-        let bulldozing = or_none(&self.bulldozing, place, |word| match word {
-            "full" => Some(Bulldozing::Full),
-            "mobilised" => Some(Bulldozing::Mobilised),
-            _ => None,
-        });
-        if !self.slip_angle.is_present() {
-            return coupling.and(bulldozing).and(method);
+/// The method at the slip angle, if one was sent; a closed form has none, but goes straight ahead as well as any.
+pub(super) fn read(object: &Reader<'_>, method: Option<Method>) -> Option<Method> {
+    let coupling = object.or_default(&SHEAR_COUPLING);
+    let bulldozing = object.or_default(&BULLDOZING);
+    let angle = object.optional(&SLIP_ANGLE);
+    let (coupling, bulldozing, method) = (coupling?, bulldozing?, method?);
+    let Some(angle) = angle? else { return Some(method) };
+    match method {
+        Method::Quadrature => {
+            let angle = SlipAngle::new(angle).map_err(|error| object.place_of(&SLIP_ANGLE).fault(error)).ok()?;
+            Some(Method::SideSlipping(SideSlip { angle, coupling, bulldozing }))
         }
-        let angle = self.slip_angle.checked(place)?;
-        match method? {
-            Method::Quadrature => {
-                let angle = SlipAngle::new(angle).map_err(|error| place.field(self.slip_angle.name).fault(error)).ok()?;
-                Some(Method::SideSlipping(SideSlip {
-                    angle,
-                    coupling: coupling?.unwrap_or(ShearCoupling::Independent),
-                    bulldozing: bulldozing?.unwrap_or(Bulldozing::Full),
-                }))
-            }
-            _ if angle != 0.0 => {
-                place
-                    .field(self.slip_angle.name)
-                    .fault("is taken by the method `quadrature` only: the closed forms have no lateral force");
-                None
-            }
-            method => coupling.and(bulldozing).map(|_| method),
+        _ if angle != 0.0 => {
+            let place = object.place_of(&SLIP_ANGLE);
+            place.fault("is taken by the method `quadrature` only: the closed forms have no lateral force");
+            None
         }
+        method => Some(method),
     }
 }

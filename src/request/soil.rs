@@ -1,186 +1,197 @@
 //! The soil of a request.
 
-use terramechanics::{Contact, JanosiHanamoto, ShearLaw, Soil, SoilParams};
+use terramechanics::{
+    Bekker, Contact, Declared, Direct, JanosiHanamoto, Parametrised, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams,
+};
+use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 
-use super::pressure_sinkage::{PressureSinkageDto, is_among};
-use super::shear::ShearDto;
-use super::wheel::missing;
+use super::laws::{self, field};
+use super::preset::Preset;
+use super::{Described, Shape};
 use crate::catalogue::{self, SoilRecord};
-use crate::wire::{Choice, Entry, Field, Nested, Number, Object, Scope, wire_object};
 
-wire_object! {
-    /// A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.
-    SoilDto as "Soil" {
-        preset: String = Choice { doc: "A soil of the catalogue, see /v1/soils.", words: catalogue::soil_ids, default: None },
-        cohesion_pa: f64 = Number::within(&Soil::COHESION, "Cohesion c (Pa)."),
-        friction_angle_rad: f64 = Number::within(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).").angle(),
-        shear_modulus_m: f64 = Number::within(&JanosiHanamoto::MODULUS, "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.").length(),
-        pressure_sinkage: PressureSinkageDto = Nested::optional("Pressure–sinkage law; replaces the preset's as a whole."),
-        lateral_shear_modulus_m: f64 = Number::within(&Soil::LATERAL_SHEAR_MODULUS, "Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.").length(),
-        unit_weight_n_m3: f64 = Number::within(&Soil::UNIT_WEIGHT, "Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue."),
-        shear: ShearDto = Nested::optional("Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m."),
-    }
+const PRESET: Field<Lookup<&'static SoilRecord>> =
+    Field::new("preset", "A soil of the catalogue, see /v1/soils.", Lookup { words: catalogue::soil_ids, find: catalogue::soil });
+pub(super) const COHESION: Field<Number> = field(&Soil::COHESION, "Cohesion c (Pa).");
+pub(super) const FRICTION_ANGLE: Field<Number> = field(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).");
+pub(super) const SHEAR_MODULUS: Field<Number> =
+    field(&JanosiHanamoto::MODULUS, "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.");
+const PRESSURE_SINKAGE: Field<&Tagged> =
+    Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
+const LATERAL_SHEAR_MODULUS: Field<Number> = field(
+    &Soil::LATERAL_SHEAR_MODULUS,
+    "Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.",
+);
+const UNIT_WEIGHT: Field<Number> = field(
+    &Soil::UNIT_WEIGHT,
+    "Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.",
+);
+pub(super) const SHEAR: Field<&Tagged> =
+    Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
+/// The laws of a soil, which a variant of a comparison may have in place of its own.
+pub(super) const VARIED_SHEAR: Field<&Tagged> = Field { meaning: "Shear law, for that of the soil.", ..SHEAR };
+pub(super) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
+    Field { meaning: "Pressure–sinkage law, for that of the soil.", ..PRESSURE_SINKAGE };
+
+pub(super) const SOIL: Object = Object {
+    name: "Soil",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
+    groups: &[&[
+        &PRESET,
+        &COHESION,
+        &FRICTION_ANGLE,
+        &SHEAR_MODULUS,
+        &PRESSURE_SINKAGE,
+        &LATERAL_SHEAR_MODULUS,
+        &UNIT_WEIGHT,
+        &SHEAR,
+    ]],
+};
+
+impl Described for Soil {
+    const SHAPE: Shape = Shape::Object(&SOIL);
 }
 
-/// The laws that a request cannot do without; others may be absent.
+/// What a request needs of a soil.
 #[derive(Clone, Copy)]
-pub(crate) struct Needs {
-    pub(crate) pressure_sinkage: bool,
-    pub(crate) shear: bool,
+pub(super) struct Needs<'a> {
+    /// Whether the pressure–sinkage law has an influence; else it may be absent.
+    pub(super) pressure_sinkage: bool,
+    /// Whether the shear law has one.
+    pub(super) shear: bool,
+    /// The starts of the parameters that are fitted, by name: they may be absent.
+    pub(super) fitted: &'a dyn Fn(&str) -> Option<f64>,
 }
 
-impl Needs {
-    pub(crate) const BOTH_LAWS: Self = Self { pressure_sinkage: true, shear: true };
+impl Needs<'static> {
+    /// All that a soil has.
+    pub(super) const ALL: Self = Self { pressure_sinkage: true, shear: true, fitted: &|_| None };
 }
 
-impl SoilDto {
-    /// The soil, and the contact that the catalogue measured with it.
-    pub(crate) fn check(&self, place: &Scope<'_>, needs: Needs) -> Option<(Soil, Option<Contact>)> {
-        self.report_oddities(place);
-        let preset = self.preset().looked_up(place, catalogue::soil);
-        let unknown_preset = self.preset().is_present() && preset.is_none();
-        let value = |entry: Entry<'_, f64>| {
-            if entry.is_present() {
-                return entry.checked(place);
-            }
-            let published = preset.and_then(|record| record.number(entry.name));
-            if published.is_none() && !unknown_preset {
-                missing(place, entry.name, preset.map(|record| record.id.as_str()));
-            }
-            published
-        };
-        let cohesion = value(self.cohesion_pa());
-        let friction_angle = value(self.friction_angle_rad());
-        let shear = if needs.shear || self.has_shear(preset) {
-            self.shear_law(place, preset, || value(self.shear_modulus_m())).map(Some)
-        } else {
-            Some(None)
-        };
-        let optional = |entry: Entry<'_, f64>| {
-            if entry.is_present() { entry.checked(place) } else { preset.and_then(|record| record.number(entry.name)) }
-        };
+/// Where the pressure–sinkage law comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LawOrigin {
+    /// From the request.
+    Request,
+    /// From the catalogue.
+    Catalogue,
+    /// The preset's gave way to the direct one, whose modulus is fitted.
+    Replaced,
+    /// There is none, as it has no influence.
+    Absent,
+}
+
+/// A soil that was read.
+#[derive(Clone, Copy)]
+pub(super) struct FoundSoil {
+    pub(super) soil: Soil,
+    /// The contact that the catalogue measured with it.
+    pub(super) contact: Option<Contact>,
+    pub(super) law: LawOrigin,
+}
+
+/// The soil, from the request and the preset it names.
+pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
+    let preset = Preset::read(object, &PRESET);
+    let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
+    let cohesion = value(&COHESION);
+    let friction_angle = value(&FRICTION_ANGLE);
+    let shear = shear(object, &preset, needs);
+    let lateral_shear_modulus = preset.optional(object, &LATERAL_SHEAR_MODULUS).map(|own| {
         // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
         let beside_another_law = || match shear.flatten() {
-            Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => optional(self.shear_modulus_m()),
+            Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => preset.optional(object, &SHEAR_MODULUS).flatten(),
             Some(ShearLaw::JanosiHanamoto(_)) | None => None,
         };
-        let lateral_shear_modulus = match self.lateral_shear_modulus_m() {
-            entry if entry.is_present() => entry.checked(place),
-            entry => preset.and_then(|record| record.number(entry.name)).or_else(beside_another_law),
-        };
-        let unit_weight = optional(self.unit_weight_n_m3());
-        let law = self.pressure_sinkage();
-        let pressure_sinkage = if law.is_present() {
-            law.given(place).and_then(|dto| dto.check(&place.field(law.name))).map(Some)
-        } else {
-            let published = preset.and_then(SoilRecord::pressure_sinkage);
-            if published.is_none() && needs.pressure_sinkage && !unknown_preset {
-                missing_law(place, law.name, preset);
-            }
-            if published.is_none() && needs.pressure_sinkage { None } else { Some(published) }
-        };
-        let params = SoilParams {
-            cohesion: cohesion?,
-            friction_angle: friction_angle?,
-            shear: shear?,
-            pressure_sinkage: pressure_sinkage?,
-            unit_weight,
-            lateral_shear_modulus,
-        };
-        if unknown_preset {
-            return None;
-        }
-        let soil = Soil::new(params).map_err(|invalid| place.fault(invalid)).ok()?;
-        let soil = preset.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
-        let fitted_slip = preset.filter(|_| !law.is_present()).and_then(|record| record.largest_fitted_slip);
-        let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
-        Some((soil, preset.and_then(SoilRecord::contact)))
+        own.or_else(beside_another_law)
+    });
+    let unit_weight = preset.optional(object, &UNIT_WEIGHT);
+    let pressure_sinkage = pressure_sinkage(object, &preset, needs);
+    let (pressure_sinkage, law) = pressure_sinkage?;
+    let params = SoilParams {
+        cohesion: cohesion?,
+        friction_angle: friction_angle?,
+        shear: shear?,
+        pressure_sinkage,
+        unit_weight: unit_weight?,
+        lateral_shear_modulus: lateral_shear_modulus?,
+    };
+    if !preset.is_sound {
+        return None;
     }
+    let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let soil = preset.entry.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
+    let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
+    let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
+    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })
+}
 
-    /// The soil with a value for each of `fitted` that neither it nor its preset has; and whether the preset's law gave way to
-    /// the direct one, because the modulus of that is fitted.
-    pub(super) fn filled(&self, fitted: &[(&'static str, f64)]) -> (Self, bool) {
-        let preset = self.record();
-        let mut soil = self.clone();
-        for &(name, value) in fitted {
-            let field = match name {
-                "cohesion_pa" => &mut soil.cohesion_pa,
-                "friction_angle_rad" => &mut soil.friction_angle_rad,
-                "shear_modulus_m" => &mut soil.shear_modulus_m,
-                _ => continue,
-            };
-            if matches!(field, Field::Absent) && preset.is_none_or(|record| !record.values.contains_key(name)) {
-                *field = Field::Given(value);
-            }
-        }
-        let gives_way = match &mut soil.pressure_sinkage {
-            Field::Given(law) => {
-                law.fill(fitted);
-                false
-            }
-            Field::Absent => {
-                let published = preset.filter(|record| record.pressure_sinkage().is_some());
-                let law = PressureSinkageDto::of_fitted(preset, fitted);
-                let gives_way =
-                    published.is_some_and(|record| record.law.as_deref() != Some("direct")) && is_among(fitted, "k_s");
-                if let Some(law) = law.filter(|_| published.is_none() || gives_way) {
-                    soil.pressure_sinkage = Field::Given(law);
-                }
-                gives_way
-            }
-            Field::Wrong(_) => false,
-        };
-        (soil, gives_way)
+/// The shear law, if there is one; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
+fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> Option<Option<ShearLaw>> {
+    let chosen = match object.optional(&SHEAR)? {
+        Some(chosen) => laws::shear(&chosen)?,
+        None => preset.entry.and_then(SoilRecord::shear),
+    };
+    if let Some(law) = chosen {
+        return object.optional(&SHEAR_MODULUS).map(|_| Some(law));
     }
+    let modulus = preset.optional(object, &SHEAR_MODULUS)?;
+    if modulus.is_none() && !needs.shear && !object.has(&SHEAR) {
+        return Some(None);
+    }
+    let modulus = modulus.or_else(|| (needs.fitted)(SHEAR_MODULUS.name));
+    if modulus.is_none() {
+        preset.missing(object, &SHEAR_MODULUS);
+    }
+    modulus.map(|modulus| Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })))
+}
 
-    /// What the catalogue has of the preset, if it is one; nothing is reported.
-    fn record(&self) -> Option<&'static SoilRecord> {
-        match &self.preset {
-            Field::Given(id) => catalogue::soil(id),
-            Field::Absent | Field::Wrong(_) => None,
-        }
+/// The pressure–sinkage law: that of the request, else that of the preset, else the one whose moduli are fitted.
+fn pressure_sinkage(
+    object: &Reader<'_>,
+    preset: &Preset<SoilRecord>,
+    needs: Needs<'_>,
+) -> Option<(Option<PressureSinkage>, LawOrigin)> {
+    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, needs.fitted)? {
+        return laws::pressure_sinkage(&chosen).map(|law| (Some(law), LawOrigin::Request));
     }
-
-    /// The soil with other laws, where there are any.
-    pub(super) fn with_laws(&self, shear: &Entry<'_, ShearDto>, pressure_sinkage: &Entry<'_, PressureSinkageDto>) -> Self {
-        let (shear, pressure_sinkage) = (shear.or(&self.shear), pressure_sinkage.or(&self.pressure_sinkage));
-        Self { shear, pressure_sinkage, ..self.clone() }
-    }
-
-    /// Whether a shear law is known, here or in the catalogue.
-    fn has_shear(&self, preset: Option<&SoilRecord>) -> bool {
-        let published = preset.is_some_and(|record| record.shear().is_some() || record.number("shear_modulus_m").is_some());
-        published || self.shear().is_present() || self.shear_modulus_m().is_present()
-    }
-
-    /// The shear law; `modulus` is asked for only where the law needs it, else it is checked by its bounds alone.
-    fn shear_law(
-        &self,
-        place: &Scope<'_>,
-        preset: Option<&SoilRecord>,
-        modulus: impl FnOnce() -> Option<f64>,
-    ) -> Option<ShearLaw> {
-        let law = self.shear();
-        let chosen =
-            if law.is_present() { law.given(place)?.check(&place.field(law.name))? } else { preset.and_then(SoilRecord::shear) };
-        match chosen {
-            Some(law) => {
-                let given = self.shear_modulus_m();
-                if given.is_present() { given.checked(place).map(|_| law) } else { Some(law) }
+    let published = preset.entry.and_then(SoilRecord::pressure_sinkage);
+    // A soil has one sinkage modulus: where it is fitted, that of another law has no place.
+    let replaces = (needs.fitted)(Direct::K_S.name).is_some() && !matches!(published, None | Some(PressureSinkage::Direct(_)));
+    let of_fitted = || of_fitted(preset.entry, needs.fitted);
+    match published {
+        Some(law) if !replaces => Some((Some(law), LawOrigin::Catalogue)),
+        Some(_) => of_fitted().map(|law| (Some(law), LawOrigin::Replaced)),
+        None => match of_fitted() {
+            Some(law) => Some((Some(law), LawOrigin::Request)),
+            None if !needs.pressure_sinkage => Some((None, LawOrigin::Absent)),
+            None => {
+                missing_law(object, preset);
+                None
             }
-            None => Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: modulus()? })),
-        }
+        },
     }
+}
+
+/// The law of which all moduli are fitted, with the exponents of the preset; none where the moduli or n0 would be lacking.
+fn of_fitted(preset: Option<&SoilRecord>, fitted: &dyn Fn(&str) -> Option<f64>) -> Option<PressureSinkage> {
+    let name = if fitted(Direct::K_S.name).is_some() { Direct::NAME } else { Bekker::NAME };
+    let is_exponent = |name: &str| SinkageExponent::PARAMETERS.iter().any(|parameter| parameter.name == name);
+    let value = |name: &str| {
+        let published = preset.filter(|_| is_exponent(name)).and_then(|record| record.number(name));
+        published.or_else(|| fitted(name))
+    };
+    PressureSinkage::named(name)?.from_named(value).ok()
 }
 
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
-fn missing_law(place: &Scope<'_>, name: &'static str, preset: Option<&SoilRecord>) {
-    match preset.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
-        Some((record, Some(law), parameters)) => place.field(name).fault(format_args!(
+fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
+    match preset.entry.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
+        Some((record, Some(law), parameters)) => object.place_of(&PRESSURE_SINKAGE).fault(format_args!(
             "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
             record.id,
             parameters.join(", ")
         )),
-        _ => missing(place, name, preset.map(|record| record.id.as_str())),
+        _ => preset.missing(object, &PRESSURE_SINKAGE),
     }
 }

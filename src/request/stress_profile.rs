@@ -1,66 +1,43 @@
 //! The request of `/v1/stress-profile`.
 
-use terramechanics::{Motion, Operation, PeakDepth};
+use terramechanics::{Method, Motion, Operation, PeakDepth};
+use terramechanics_reading::{Field, Number, Object, Reader};
 
-use super::motion::MotionEntries;
-use super::operation::{self, OperationEntries, operation_entries};
-use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
-use crate::wire::{Number, Scope, wire_object};
+use super::method::{BRAKING, STRESSES};
+use super::motion::{self, MOTION};
+use super::sinkage::{self, SINKAGE};
+use super::system::SYSTEM;
+use super::{Request, operation};
 
-const POINTS: Number = Number::new(
+const POINTS: Field<Number> = Field::new(
+    "points",
     "Number of places from exit to entry; the angle of maximum stress is always one of them, so 2 gives 3.",
-    2.0,
-    10_001.0,
-)
-.integer()
-.or(201.0);
-
-wire_object! {
-    /// The stresses along the rim at one operating point, exact and linearised. With `normal_load_n` the quadrature solves the sinkage.
-    ProfileDto as "StressProfileRequest" {
-        wheel: WheelDto = operation::WHEEL,
-        soil: SoilDto = operation::SOIL,
-        contact: ContactDto = operation::CONTACT,
-        slip: f64 = operation::SLIP,
-        forward_velocity_m_s: f64 = operation::FORWARD_VELOCITY,
-        angular_velocity_rad_s: f64 = operation::ANGULAR_VELOCITY,
-        sinkage_m: f64 = operation::SINKAGE,
-        static_sinkage_m: f64 = operation::STATIC_SINKAGE,
-        slip_sinkage: SlipSinkageDto = operation::SLIP_SINKAGE,
-        normal_load_n: f64 = operation::NORMAL_LOAD,
-        normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
-        peak_sinkage: String = operation::PEAK_SINKAGE,
-        braking: String = operation::BRAKING,
-        points: f64 = POINTS,
-    }
-}
+    Number::new("1", 2.0, 10_001.0).whole().or(201.0),
+);
 
 /// A profile, checked.
-pub(crate) struct ProfileQuery {
+pub(crate) struct ProfileCase {
     pub(crate) operation: Operation,
     pub(crate) motion: Motion,
     pub(crate) peak_depth: PeakDepth,
     pub(crate) points: usize,
 }
 
-impl Request for ProfileDto {
-    type Query = ProfileQuery;
+impl Request for ProfileCase {
+    const OBJECT: &'static Object = &Object {
+        name: "StressProfileRequest",
+        doc: "The stresses along the rim at one operating point, exact and linearised. With `normal_load_n` the quadrature solves the sinkage.",
+        groups: &[SYSTEM, MOTION, SINKAGE, STRESSES, BRAKING, &[&POINTS]],
+    };
 
-    fn check(&self, place: &Scope<'_>) -> Option<ProfileQuery> {
-        let checked = operation_entries!(self).check(place);
-        let wheel = checked.as_ref().map(|checked| &checked.operation.system.wheel);
-        let motion = MotionEntries {
-            slip: self.slip(),
-            forward_velocity: self.forward_velocity_m_s(),
-            angular_velocity: self.angular_velocity_rad_s(),
-        }
-        .check(place, wheel);
-        let points = self.points().or_default(place);
-        let checked = checked?;
-        Some(ProfileQuery {
-            operation: checked.operation,
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let found = operation::read(object, sinkage::read, |_, _| Some(Method::Quadrature));
+        let motion = motion::read(object, found.wheel.as_ref());
+        let points = object.or_default(&POINTS);
+        Some(Self {
+            operation: found.operation?,
             motion: motion?,
-            peak_depth: checked.peak_depth.unwrap_or(PeakDepth::Geometric),
+            peak_depth: found.peak_depth.unwrap_or(PeakDepth::Geometric),
             points: points? as usize,
         })
     }

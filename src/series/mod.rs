@@ -18,8 +18,6 @@ use std::fmt;
 
 use terramechanics::Channel;
 
-use crate::wire::{Object, Oddity, Scope};
-
 /// A column that a series may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Column {
@@ -39,7 +37,7 @@ impl Column {
     pub(crate) const NAMES: [&str; Self::COUNT] =
         ["time_s", "slip", "forward_velocity_m_s", "angular_velocity_rad_s", "sinkage_m", "torque_n_m", "normal_load_n"];
 
-    pub(crate) fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         Self::NAMES[self as usize]
     }
 }
@@ -78,20 +76,6 @@ pub(crate) enum ExtraColumns {
 
 /// How they can be left out, for those who sent them.
 const LEAVING_OUT: &str = "extra_columns=ignore leaves unknown ones out";
-
-impl ExtraColumns {
-    /// Reports the names of an object that do not belong, unless they are left out.
-    pub(crate) fn report(self, object: &impl Object, place: &Scope<'_>) {
-        if self == Self::Refuse {
-            return object.report_oddities(place);
-        }
-        for oddity in object.oddities() {
-            if let Oddity::Repeated(name) = oddity {
-                place.field(name).fault("is given more than once");
-            }
-        }
-    }
-}
 
 /// The columns that a series has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

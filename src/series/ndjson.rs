@@ -1,49 +1,35 @@
 //! Telemetry as one JSON object a line: `{"time_s": 0.1, "slip": 0.2}`.
 
-use super::{Column, ExtraColumns, LONGEST_ROW, Layout, Read, Row, SeriesFault, Unreadable};
-use crate::wire::{Entry, Field, Number, Object, Scope, read, wire_object};
+use terramechanics_reading::{Fields, Node, Unread, json, shortened};
 
-const ANY: Number = Number::new("", f64::NEG_INFINITY, f64::INFINITY);
+use super::{Column, ExtraColumns, LONGEST_ROW, Layout, Read, Row, SeriesFault, Unreadable};
+use crate::words::HINTS;
 
 /// How a sample is written, for those who wrote something else.
 const HOW: &str = "write one object a line, such as {\"time_s\": 0.1, \"slip\": 0.2}, with null for a missing value";
 
-wire_object! {
-    /// One sample.
-    SampleDto as "Sample" {
-        time_s: f64 = ANY,
-        slip: f64 = ANY,
-        forward_velocity_m_s: f64 = ANY,
-        angular_velocity_rad_s: f64 = ANY,
-        sinkage_m: f64 = ANY,
-        torque_n_m: f64 = ANY,
-        normal_load_n: f64 = ANY,
-    }
-}
+/// Names that do not belong and are told of one line.
+const MOST_ODDITIES: usize = 20;
 
-impl SampleDto {
-    /// In the order of [`Column::NAMES`].
-    fn entries(&self) -> [Entry<'_, f64>; Column::COUNT] {
-        [
-            self.time_s(),
-            self.slip(),
-            self.forward_velocity_m_s(),
-            self.angular_velocity_rad_s(),
-            self.sinkage_m(),
-            self.torque_n_m(),
-            self.normal_load_n(),
-        ]
+/// The column of each field, or all names that do not belong in words.
+fn columns(fields: &Fields<'_>, extra: ExtraColumns) -> Result<[Option<usize>; Column::COUNT], String> {
+    let mut found = [None; Column::COUNT];
+    let mut oddities = Vec::new();
+    for (at, (name, _)) in fields.iter().enumerate() {
+        match Column::NAMES.iter().position(|known| *known == name) {
+            Some(index) if found[index].is_none() => found[index] = Some(at),
+            Some(_) => oddities.push(format!("`{name}`: is given more than once")),
+            None if extra == ExtraColumns::Ignore => {}
+            None => {
+                let hint = HINTS.unknown_field(name, &Column::NAMES, &[]);
+                oddities.push(format!("`{}`: unknown field; {hint}", shortened(name)));
+            }
+        }
+        if oddities.len() == MOST_ODDITIES {
+            break;
+        }
     }
-
-    /// All names that do not belong, in words.
-    fn oddities_in_words(&self, extra: ExtraColumns) -> Option<String> {
-        let faults = std::cell::RefCell::default();
-        extra.report(self, &Scope::root(&faults));
-        let faults = faults.into_inner().into_iter();
-        let described: Vec<_> =
-            faults.map(|fault| format!("`{}`: {}", fault.pointer.trim_start_matches('/'), fault.detail)).collect();
-        (!described.is_empty()).then(|| described.join("; "))
-    }
+    if oddities.is_empty() { Ok(found) } else { Err(oddities.join("; ")) }
 }
 
 /// Reads lines piece by piece. The columns of the series are those of its first sample.
@@ -101,25 +87,28 @@ impl NdjsonReader {
         if line.trim_ascii().is_empty() {
             return Ok(None);
         }
-        let sample = match self.parsed(line)? {
-            Field::Given(sample) => sample,
-            Field::Wrong(found) => return Err(self.fault(0, format!("must be an object, not {found}; {HOW}"))),
-            Field::Absent => return Ok(None),
+        let text; // what the words that are no numbers were replaced in
+        let sample = match json(line) {
+            Ok(sample) => sample,
+            Err(_) => {
+                text = without_words(line);
+                self.parsed(&text)?
+            }
         };
-        if !sample.oddities().is_empty()
-            && let Some(oddities) = sample.oddities_in_words(self.extra)
-        {
-            return Err(self.fault(0, oddities));
-        }
+        let Node::Object(fields) = &sample else {
+            return Err(self.fault(0, format!("must be an object, not {}; {HOW}", sample.in_words())));
+        };
         let mut row = Row { cells: [f64::NAN; Column::COUNT], unreadable: false };
         let mut given = Layout::default();
-        for (index, entry) in sample.entries().iter().enumerate() {
-            match entry.field {
-                Field::Absent => continue,
-                Field::Given(value) => row.cells[index] = *value,
-                Field::Wrong(found) if found == "null" => {}
-                Field::Wrong(found) => {
-                    let fault = || self.fault(0, format!("`{}` must be a number or null, not {found}", entry.name));
+        let columns = columns(fields, self.extra).map_err(|oddities| self.fault(0, oddities))?;
+        for (index, at) in columns.into_iter().enumerate() {
+            match at.and_then(|at| fields.get(at)) {
+                None => continue,
+                Some(Node::Number(value)) => row.cells[index] = *value,
+                Some(Node::Null) => {}
+                Some(other) => {
+                    let name = Column::NAMES[index];
+                    let fault = || self.fault(0, format!("`{name}` must be a number or null, not {}", other.in_words()));
                     if self.layout.is_none() {
                         return Err(fault()); // the form is wrong rather than the value, and nothing is lost yet
                     }
@@ -130,21 +119,19 @@ impl NdjsonReader {
             }
             given.add(index);
             if self.layout.is_some_and(|layout| !layout.0[index]) {
-                return Err(self.fault(0, format!("the first sample has no `{}`, so none may have it", entry.name)));
+                let name = Column::NAMES[index];
+                return Err(self.fault(0, format!("the first sample has no `{name}`, so none may have it")));
             }
         }
         self.layout.get_or_insert(given);
         Ok(Some(row))
     }
 
-    fn parsed(&self, line: &[u8]) -> Result<Field<SampleDto>, SeriesFault> {
-        if let Ok(sample) = read(line) {
-            return Ok(sample);
-        }
-        let (text, longer_at) = without_words(line);
-        let error = match read(&text) {
+    fn parsed<'t>(&self, (text, longer_at): &'t (Vec<u8>, Vec<usize>)) -> Result<Node<'t>, SeriesFault> {
+        let error = match json(text) {
             Ok(sample) => return Ok(sample),
-            Err(error) => error,
+            Err(Unread::TooMuch) => return Err(self.fault(0, Unread::TooMuch.to_string())),
+            Err(Unread::NotJson(error)) => error,
         };
         let column = error.column() - longer_at.iter().filter(|at| **at < error.column()).count();
         let said = error.to_string();
@@ -193,11 +180,6 @@ mod tests {
 
     fn all(pieces: &[&[u8]]) -> Whole {
         pieces::all(Reader::ndjson(ExtraColumns::Refuse), pieces)
-    }
-
-    #[test]
-    fn the_values_of_a_sample_are_in_the_order_of_the_columns() {
-        assert_eq!(SampleDto::default().entries().map(|entry| entry.name), Column::NAMES);
     }
 
     #[test]

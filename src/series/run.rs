@@ -13,9 +13,9 @@ use crate::found::FoundTrack;
 use crate::problem::Problem;
 use crate::quantity::{Beside, Row as Cells, SampleLists};
 use crate::reply::TrackReply;
-use crate::request::{Samples, TrackPlan, TrackQuery, TrackSettings, collected};
+use crate::request::{Samples, TrackCase, TrackPlan, TrackSettings};
 use crate::stream::{PIECE, Progress, Work};
-use crate::wire::FieldFault;
+use terramechanics_reading::FieldFault;
 
 /// A run.
 #[derive(Debug)]
@@ -58,8 +58,8 @@ impl Run {
     }
 
     /// Over samples in memory.
-    pub(crate) fn over_samples(query: TrackQuery, form: SeriesForm) -> Self {
-        let TrackQuery { settings, samples } = query;
+    pub(crate) fn over_samples(query: TrackCase, form: SeriesForm) -> Self {
+        let TrackCase { settings, samples } = query;
         Self { source: Source::Memory { samples, next: 0 }, settings, form, started: None }
     }
 
@@ -73,7 +73,7 @@ impl Run {
             Source::Memory { samples, .. } => (Some(samples.layout), samples.count),
         };
         let Some(layout) = layout else { return Ok(()) };
-        let plan = collected(|place| self.settings.plan(layout, place)).map_err(Problem::Invalid)?;
+        let plan = self.settings.plan(layout).map_err(Problem::Invalid)?;
         let strength = self.settings.strength;
         let beside = Beside { coupled: plan.is_coupled(), strength: strength.is_some() };
         let sink = match self.form {
@@ -141,7 +141,7 @@ impl Started {
             Sink::Columns(_) if self.tracker.rows() > MOST_IN_COLUMNS as u64 => {
                 let detail =
                     format!("an answer in columns has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson");
-                return Err(Problem::Invalid(vec![FieldFault { pointer: String::new(), detail }]));
+                return Err(Problem::Invalid(vec![FieldFault::new("", detail)]));
             }
             Sink::Columns(lists) => lists.push(&cells),
         }

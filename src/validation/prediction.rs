@@ -1,11 +1,11 @@
 //! What the model gives at the points of a set: each is the request that a client would send to `/v1/forces`.
 
 use terramechanics::{Caution, OperatingPoint, Outcome, cautions};
+use terramechanics_reading::Node;
 
 use super::{Record, Run};
-use crate::request::{ForcesDto, ForcesQuery, checked};
+use crate::request::{ForcesCase, checked};
 use crate::warning::{Reason, RowCautions};
-use crate::wire::read;
 
 /// What one run gives at the measured slips and loads.
 #[derive(Debug)]
@@ -52,7 +52,7 @@ fn point(record: &Record, run: &Run, row: usize) -> Result<(OperatingPoint, Vec<
 }
 
 /// The request for a row.
-fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesQuery, String> {
+fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesCase, String> {
     let points = record.points();
     let mut body = run.fields();
     body["wheel"] = record.wheel.clone();
@@ -65,8 +65,7 @@ fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesQuery, String> 
     if let Some(side) = record.side_slip {
         body["slip_angle_rad"] = side.angle().into();
     }
-    let field = read::<ForcesDto>(body.to_string().as_bytes()).map_err(|error| error.to_string())?;
-    checked(&field).map_err(|faults| {
+    checked(&Node::from(&body)).map_err(|faults| {
         let told: Vec<String> = faults.iter().map(|fault| format!("{} {}", fault.pointer, fault.detail)).collect();
         told.join("; ")
     })

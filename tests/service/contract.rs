@@ -119,6 +119,8 @@ fn bounded_numbers(
     }
     if let Some(options) = schema["oneOf"].as_array() {
         for option in options {
+            let target = option["$ref"].as_str().and_then(|target| document.pointer(&target[1..]));
+            let option = target.unwrap_or(option);
             let mut variants = variants.to_vec();
             for (name, property) in option["properties"].as_object().into_iter().flatten() {
                 if let (Some([tag]), None) = (property["enum"].as_array().map(Vec::as_slice), property.get("description")) {

@@ -193,5 +193,64 @@ fn the_shapes_of_an_object_have_titles_of_their_own() {
             assert!(titles.insert(title.to_owned()), "{title} is there twice");
         }
     }
-    assert!(titles.contains("PressureSinkage bekker"), "{titles:?}");
+    assert!(titles.contains("FoundLaw bekker"), "{titles:?}");
+}
+
+/// The forms of a tagged object are components of their own, told apart by the tag: generated clients make types of them.
+#[test]
+fn the_forms_of_a_tagged_object_are_named_and_told_apart_by_its_tag() {
+    let document = document();
+    let schemas = document["components"]["schemas"].as_object().expect("schemas");
+    let tagged: Vec<&String> =
+        schemas.iter().filter(|(_, schema)| schema.get("discriminator").is_some()).map(|(name, _)| name).collect();
+    assert_eq!(tagged, ["Contact", "PressureSinkage", "Shear", "SlipSinkage"]);
+    for schema in tagged.into_iter().map(|name| &schemas[name]) {
+        let tag = schema["discriminator"]["propertyName"].as_str().expect("a tag");
+        let mapping = schema["discriminator"]["mapping"].as_object().expect("a mapping");
+        let forms = schema["oneOf"].as_array().into_iter().flatten().map(|form| form["$ref"].as_str());
+        assert_eq!(mapping.values().map(Value::as_str).collect::<BTreeSet<_>>(), forms.collect());
+        for (word, target) in mapping {
+            let form = document.pointer(&target.as_str().expect("a reference")[1..]).expect("a form");
+            assert_eq!(form["properties"][tag]["enum"], json!([word]));
+            assert!(form["required"].as_array().is_some_and(|required| required.contains(&json!(tag))));
+        }
+    }
+    assert!(schemas.contains_key("BekkerLaw") && schemas.contains_key("WongReeceContact"));
+}
+
+/// Every number of a request says in which unit it comes.
+#[test]
+fn every_number_of_a_request_has_a_unit() {
+    fn numbers<'a>(document: &'a Value, schema: &'a Value, at: &str, found: &mut Vec<(String, &'a Value)>) {
+        if let Some(target) = schema["$ref"].as_str() {
+            return numbers(document, document.pointer(&target[1..]).expect("a schema"), at, found);
+        }
+        let is_number = |kind: &Value| kind == "number" || kind == "integer";
+        if is_number(&schema["type"]) || schema["type"].as_array().is_some_and(|types| types.iter().any(is_number)) {
+            found.push((at.to_owned(), schema));
+        }
+        for (name, property) in schema["properties"].as_object().into_iter().flatten() {
+            numbers(document, property, &format!("{at}/{name}"), found);
+        }
+        schema["oneOf"].as_array().into_iter().flatten().for_each(|option| numbers(document, option, at, found));
+        if schema["items"].is_object() {
+            numbers(document, &schema["items"], at, found);
+        }
+    }
+    let document = document();
+    let mut found = Vec::new();
+    for operation in document["paths"].as_object().expect("paths").values() {
+        let schema = &operation["post"]["requestBody"]["content"]["application/json"]["schema"];
+        numbers(&document, schema, "", &mut found);
+    }
+    assert!(found.len() > 200, "{}", found.len());
+    for (at, schema) in &found {
+        let unit = schema["x-unit"].as_str().unwrap_or_else(|| panic!("{at} has no unit"));
+        let name = at.rsplit('/').next().expect("a name");
+        for (ending, own) in
+            [("_rad", "rad"), ("_pa", "Pa"), ("_n_m", "N.m"), ("_m_s", "m/s"), ("_rad_s", "rad/s"), ("_n_m3", "N/m3")]
+        {
+            assert_eq!(name.ends_with(ending), unit == own, "{at} in {unit}");
+        }
+    }
 }

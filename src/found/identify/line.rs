@@ -4,9 +4,9 @@ use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Ob
 
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::request::{LinearQuery, fit_fault, name_of, refusal_pointer};
+use crate::request::{LinearCase, fit_fault, name_of, refusal_pointer};
 use crate::warning::{Finding, Warning, system_warnings};
-use crate::wire::FieldFault;
+use terramechanics_reading::FieldFault;
 
 /// What a line through the stresses shows.
 pub(crate) struct FoundLine {
@@ -18,20 +18,18 @@ pub(crate) struct FoundLine {
     pub(crate) warnings: Vec<Warning>,
 }
 
-pub(super) fn line(query: &LinearQuery, pace: &Pace) -> Result<FoundLine, Problem> {
-    let LinearQuery { setup, observations, law_known } = query;
+pub(super) fn line(query: &LinearCase, pace: &Pace) -> Result<FoundLine, Problem> {
+    let LinearCase { setup, observations, law_known } = query;
     let fault = |error: FitError| {
         Problem::Invalid(vec![match error {
-            FitError::Refused { row, error } => {
-                FieldFault { pointer: refusal_pointer(row, &error, &setup.sinkage), detail: error.to_string() }
-            }
+            FitError::Refused { row, error } => FieldFault::new(refusal_pointer(row, &error, &setup.sinkage), &error),
             other => fit_fault(&other, &setup.sinkage),
         }])
     };
     let Some(line) = fit_line_while(setup, observations, &|| pace.goes_on()).map_err(fault)? else {
         let detail = "the normal stress under the wheel is the same in all samples: cohesion and friction angle need at least two \
                       different loads, sinkages or slips";
-        return Err(Problem::Invalid(vec![FieldFault { pointer: "/data".to_owned(), detail: detail.to_owned() }]));
+        return Err(Problem::Invalid(vec![FieldFault::new("/data", detail)]));
     };
     let bias = if *law_known { line.model_bias_while(&|| pace.goes_on()).map_err(fault)? } else { None };
     let mut warnings = warnings(&line, bias);

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::request::IdentifyQuery;
+use crate::request::IdentifyCase;
 
 /// What measurements tell of the parameters.
 pub(crate) enum FoundParameters {
@@ -27,12 +27,12 @@ const SEARCHING: f64 = 0.5;
 ///
 /// # Errors
 /// What of the request the model or the data do not allow.
-pub(crate) fn identify(query: &IdentifyQuery, patience: Duration, pace: &Pace) -> Result<FoundParameters, Problem> {
+pub(crate) fn identify(query: &IdentifyCase, patience: Duration, pace: &Pace) -> Result<FoundParameters, Problem> {
     match query {
-        IdentifyQuery::Fit(query) => {
+        IdentifyCase::Fit(query) => {
             let found = search::search(query, Instant::now() + patience.mul_f64(SEARCHING), pace)?;
             Ok(FoundParameters::Fit(Box::new(found)))
         }
-        IdentifyQuery::Linear(query) => Ok(FoundParameters::Line(Box::new(line::line(query, pace)?))),
+        IdentifyCase::Linear(query) => Ok(FoundParameters::Line(Box::new(line::line(query, pace)?))),
     }
 }

@@ -7,7 +7,7 @@ use terramechanics_identification::{Bound, Fit, FitOptions, Observations, Setup,
 use super::implausible;
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::request::{FitQuery, column_name, fit_fault, name_of};
+use crate::request::{FitCase, column_name, fit_fault, name_of};
 use crate::warning::{Finding, Warning, system_warnings};
 
 /// What a search found.
@@ -23,8 +23,8 @@ pub(crate) struct FoundFit {
 const TOO_LARGE: f64 = 4.0;
 const TOO_SMALL: f64 = 0.25;
 
-pub(super) fn search(query: &FitQuery, until: Instant, pace: &Pace) -> Result<FoundFit, Problem> {
-    let FitQuery { setup, observations, sought, options, .. } = query;
+pub(super) fn search(query: &FitCase, until: Instant, pace: &Pace) -> Result<FoundFit, Problem> {
+    let FitCase { setup, observations, sought, options, .. } = query;
     let options = FitOptions { until: Some(until), ..*options };
     let fit = fit_while(setup, observations, sought, &options, &|| pace.goes_on())
         .map_err(|error| Problem::Invalid(vec![fit_fault(&error, &setup.sinkage)]))?;
@@ -33,7 +33,7 @@ pub(super) fn search(query: &FitQuery, until: Instant, pace: &Pace) -> Result<Fo
 }
 
 /// What there is to say of a fit as a whole.
-fn warnings(query: &FitQuery, found: &Fit) -> Vec<Warning> {
+fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
     let mut findings = Vec::new();
     if !found.converged() {
         findings.push(Finding::NotConverged { stop: found.stop });

@@ -15,7 +15,7 @@ use super::Reply;
 use super::forces::method_name;
 use super::soil::{self, Spelled};
 use crate::found::{FoundFit, FoundLine, FoundParameters};
-use crate::request::{ContactDto, SoilDto, column_name, name_of};
+use crate::request::{ContactObject, SoilObject, column_name, name_of};
 use crate::warning::Warning;
 
 /// What measurements tell of the parameters, and what they do not.
@@ -52,10 +52,10 @@ pub(crate) struct IdentifyReply {
     rmse: BTreeMap<&'static str, f64>,
     columns: IdentifyColumns,
     /// The soil with the estimates, ready for a request.
-    #[schema(value_type = SoilDto)]
+    #[schema(value_type = SoilObject)]
     soil: Spelled,
     /// The contact, ready for a request.
-    #[schema(value_type = ContactDto)]
+    #[schema(value_type = ContactObject)]
     contact: Spelled,
     warnings: Vec<Warning>,
 }

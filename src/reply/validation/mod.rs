@@ -11,7 +11,7 @@ use utoipa::ToSchema;
 use self::columns::{ForceColumns, ValidationColumns};
 use super::Reply;
 use crate::found::FoundSet;
-use crate::request::{ContactDto, SoilDto, WheelDto};
+use crate::request::{ContactObject, SoilObject, WheelObject};
 use crate::validation::{MeasurementGrade, Prediction, Record, root_mean_square};
 use crate::warning::Warning;
 
@@ -30,15 +30,15 @@ pub(crate) struct ValidationSet {
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<&'static str>,
     /// The wheel, ready for a request.
-    #[schema(value_type = WheelDto)]
+    #[schema(value_type = WheelObject)]
     wheel: &'static Value,
     /// The soil, ready for a request.
-    #[schema(value_type = SoilDto)]
+    #[schema(value_type = SoilObject)]
     soil: &'static Value,
     /// The contact, ready for a request; else that of the columns where they have one, what the catalogue measured with the
     /// soil, or midpoint.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Option<ContactDto>)]
+    #[schema(value_type = Option<ContactObject>)]
     contact: Option<&'static Value>,
     /// Slip angle β (rad), ready for a request; absent where the wheel went straight ahead.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -2,64 +2,43 @@
 
 mod variant;
 
-use std::cell::RefCell;
-
 use terramechanics::{ForceModel, Method, Operation, Slip};
+use terramechanics_reading::{Faults, Field, FieldFault, Figures, Object, Reader, Scope, Words};
 
-use super::axis::{SlipOrAxis, SlipOrAxisSpec};
-use super::method::{ClosedForms, checked_lambda, takes_two_zones};
-use super::operation::{self, OperationEntries, operation_entries};
-use super::{ContactDto, Request, SlipSinkageDto, SoilDto, WheelDto};
-use crate::wire::{FieldFault, Lambda, List, Names, NamesSpec, Scope, wire_object};
-use variant::VariantDto;
+use super::axis::{self, SLIP_OR_SLIPS};
+use super::method::{BRAKING, ClosedForms, LAMBDAS, METHODS, MethodName, STRESSES, takes_two_zones};
+use super::sinkage::{self, SINKAGE};
+use super::soil::Needs;
+use super::system::{self, SYSTEM};
+use super::{Request, operation};
+use crate::words::HINTS;
+use variant::VARIANTS;
 
-const METHODS: NamesSpec = NamesSpec {
-    doc: "The methods to compare, all different; the other series are compared with that of the first.",
-    word: operation::METHOD_OF_SEVERAL,
-    most: 3,
-    all_unless_given: true,
-};
+const METHODS_FIELD: Field<Words<MethodName>> = Field::new(
+    "methods",
+    "The methods to compare, all different; the other series are compared with that of the first.",
+    Words { word: METHODS, most: 3, all_unless_given: true },
+);
 
 /// Operating points of all series, with those of the quadrature where it is not among the methods.
 const MOST_POINTS: usize = 100_000;
 
-wire_object! {
-    /// The forces at one slip, or over a range or a list of slips, by several methods and laws at once. The fields are those of a slip sweep straight ahead, with `methods` for `method`; `slip` may be one number. Every method is applied to the request as it stands and to each of its `variants`; with all their series, and the quadrature where it is not among the methods, there may be 100000 operating points.
-    CompareDto as "CompareRequest" {
-        wheel: WheelDto = operation::WHEEL,
-        soil: SoilDto = operation::SOIL,
-        contact: ContactDto = operation::CONTACT,
-        slip: SlipOrAxis = SlipOrAxisSpec,
-        sinkage_m: f64 = operation::SINKAGE,
-        static_sinkage_m: f64 = operation::STATIC_SINKAGE,
-        slip_sinkage: SlipSinkageDto = operation::SLIP_SINKAGE,
-        normal_load_n: f64 = operation::NORMAL_LOAD,
-        methods: Names = METHODS,
-        normal_stress_radius: String = operation::NORMAL_STRESS_RADIUS,
-        peak_sinkage: String = operation::PEAK_SINKAGE,
-        braking: String = operation::BRAKING,
-        lambda_a: Lambda = operation::LAMBDA_A,
-        lambda_b: Lambda = operation::LAMBDA_B,
-        variants: List<VariantDto> = variant::VARIANTS,
-    }
-}
-
 /// A comparison, checked.
-pub(crate) struct CompareQuery {
+pub(crate) struct CompareCase {
     /// The request as it stands, then each of its variants.
-    pub(crate) cases: Vec<Case>,
+    pub(crate) variations: Vec<Variation>,
     pub(crate) slips: Vec<Slip>,
 }
 
 /// The operations by method, of which there is at least one, that differ in nothing else.
-pub(crate) struct Case {
+pub(crate) struct Variation {
     /// The name of the variant; none of the request as it stands.
     pub(crate) variant: Option<String>,
     pub(crate) operations: Vec<Operation>,
 }
 
-impl Case {
-    /// The quadrature of the case, where it is not among the operations.
+impl Variation {
+    /// The quadrature of the variation, where it is not among the operations.
     pub(crate) fn quadrature_beside(&self) -> Option<Operation> {
         let is_there = self.operations.iter().any(|operation| operation.model.method == Method::Quadrature);
         let first = self.operations.first().filter(|_| !is_there)?;
@@ -67,74 +46,79 @@ impl Case {
     }
 }
 
-impl CompareQuery {
+impl CompareCase {
     /// All operations that an answer takes.
     pub(crate) fn operations(&self) -> impl Iterator<Item = Operation> {
-        self.cases.iter().flat_map(|case| case.operations.iter().copied().chain(case.quadrature_beside()))
+        let all = |variation: &Variation| variation.operations.clone().into_iter().chain(variation.quadrature_beside());
+        self.variations.iter().flat_map(all)
     }
 }
 
-impl Request for CompareDto {
-    type Query = CompareQuery;
+impl Request for CompareCase {
+    const OBJECT: &'static Object = &Object {
+        name: "CompareRequest",
+        doc: "The forces at one slip, or over a range or a list of slips, by several methods and laws at once. The fields are those of a slip sweep straight ahead, with `methods` for `method`; `slip` may be one number. Every method is applied to the request as it stands and to each of its `variants`; with all their series, and the quadrature where it is not among the methods, there may be 100000 operating points.",
+        groups: &[SYSTEM, &[&SLIP_OR_SLIPS], SINKAGE, &[&METHODS_FIELD], STRESSES, BRAKING, LAMBDAS, &[&VARIANTS]],
+    };
 
-    fn check(&self, place: &Scope<'_>) -> Option<CompareQuery> {
-        let (own, faults) = self.operations();
-        faults.iter().for_each(|fault| place.pass_on(fault.clone()));
-        let slips = self.slip().slips(place);
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let (own, faults) = own_operations(object);
+        faults.iter().for_each(|fault| object.place().pass_on(fault.clone()));
+        let slips = axis::read(object, &SLIP_OR_SLIPS);
         let mut names: Vec<String> = Vec::new();
-        let variants = self.variants().each(place, |variant, place| {
-            let name = variant.checked_name(place, &names);
-            names.extend(name.clone());
-            let operations = variant.operations(self, &faults, place);
-            Some(Case { variant: Some(name?), operations: operations? })
+        let variants = object.optional(&VARIANTS).and_then(|variants| {
+            variants.unwrap_or_default().each(|variant, index| {
+                let name = variant::name(variant, &names);
+                names.extend(name.clone());
+                let operations = variant::operations(object, (variant, index), &faults);
+                Some(Variation { variant: Some(name?), operations: operations? })
+            })
         });
-        let mut cases = vec![Case { variant: None, operations: own? }];
-        cases.extend(variants?);
-        let query = CompareQuery { cases, slips: slips? };
-        let points = query.operations().count() * query.slips.len();
+        let mut variations = vec![Variation { variant: None, operations: own? }];
+        variations.extend(variants?);
+        let case = Self { variations, slips: slips? };
+        let points = case.operations().count() * case.slips.len();
         if points > MOST_POINTS {
+            let figures = Figures { value: Some(points as f64), maximum: Some(MOST_POINTS as f64), ..Figures::default() };
             let detail = format_args!(
                 "all series, with the quadrature, have {points} operating points in all; {MOST_POINTS} is the most that is computed"
             );
-            place.field(self.variants().name).fault(detail);
+            object.place_of(&VARIANTS).report(figures, detail);
             return None;
         }
-        Some(query)
+        Some(case)
     }
 }
 
-impl CompareDto {
-    /// The operations by every method, and what is wrong with them; none only where something is.
-    fn operations(&self) -> (Option<Vec<Operation>>, Vec<FieldFault>) {
-        let faults = RefCell::default();
-        let operations = self.checked_operations(&Scope::root(&faults));
-        (operations, faults.into_inner())
-    }
+/// The operations of the request as it stands, and what is wrong with them.
+fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFault>) {
+    let faults = Faults::new(&HINTS);
+    let operations = operations(&object.at(Scope::root(&faults)), None);
+    (operations, faults.into_list())
+}
 
-    fn checked_operations(&self, place: &Scope<'_>) -> Option<Vec<Operation>> {
-        let checked = operation_entries!(self).check(place);
-        let closed_forms = ClosedForms {
-            peak_depth: checked.as_ref().and_then(|checked| checked.peak_depth),
-            lambda_a: checked_lambda(&self.lambda_a(), place),
-            lambda_b: checked_lambda(&self.lambda_b(), place),
-        };
-        let methods = self.methods().looked_up(place, |name| closed_forms.method(name));
-        let operation = checked?.operation;
-        let by_method = |method: Method| {
-            let is_taken = takes_two_zones(method, &operation.system.contact, &self.braking(), place);
-            is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
-        };
-        methods?.into_iter().map(by_method).collect()
-    }
+/// The operations by every method, with the laws that `variant` has in place of the soil's own.
+fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<Vec<Operation>> {
+    let system = system::read_varied(object, variant, Needs::ALL);
+    let found = operation::read_with(object, system, sinkage::read, |_, _| Some(Method::Quadrature));
+    let closed_forms = ClosedForms::read(object, found.peak_depth);
+    let methods = object.or_default(&METHODS_FIELD);
+    let operation = found.operation?;
+    let by_method = |name: MethodName| {
+        let method = closed_forms.method(name);
+        let is_taken = takes_two_zones(object, method, &operation.system.contact);
+        is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
+    };
+    methods?.into_iter().map(by_method).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use serde_json::json;
+    use terramechanics_reading::Node;
 
     use super::*;
     use crate::request::checked;
-    use crate::wire::read;
 
     /// The points that a comparison of eight cases takes, or what is wrong with it.
     fn points(methods: &[&str], slips: usize) -> Result<usize, Vec<FieldFault>> {
@@ -143,8 +127,7 @@ mod tests {
             "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "sinkage_m": 0.02,
             "slip": {"from": 0, "to": 1, "points": slips}, "methods": methods, "variants": variants
         });
-        let body = read::<CompareDto>(body.to_string().as_bytes()).expect("JSON");
-        checked(&body).map(|query| query.operations().count() * query.slips.len())
+        checked::<CompareCase>(&Node::from(&body)).map(|case| case.operations().count() * case.slips.len())
     }
 
     #[test]

@@ -2,131 +2,150 @@
 
 use terramechanics::{Error, Slip, Wheel};
 use terramechanics_identification::{Column, Observations, Quantity};
+use terramechanics_reading::{Alternative, Either, Field, Figures, Number, Numbers, Object, OneOf, Reader};
 
-use crate::wire::{Each, EachSpec, Entry, Number, Object, Scope, Series, SeriesSpec, wire_object};
+use crate::request::motion::RATIO;
 
-const FORCE: Number = Number::new("A measured value.", -1e12, 1e12);
-const DEVIATION: Number = Number::new("A standard deviation, in the unit of the column.", 1e-12, 1e12);
+/// Numbers that a column has at most.
+const MOST: usize = 10_001;
+const LARGEST: f64 = 1e12;
 
-const fn column(doc: &'static str, number: Number, required: bool) -> SeriesSpec {
-    SeriesSpec { doc, number, fewest: 1, required }
+const fn column(name: &'static str, meaning: &'static str, number: Number) -> Field<Numbers> {
+    Field::new(name, meaning, Numbers::new(number, 1, MOST))
 }
 
-const fn deviation(doc: &'static str) -> EachSpec {
-    EachSpec(column(doc, DEVIATION, false))
+const fn measured(unit: &'static str) -> Number {
+    Number::new(unit, -LARGEST, LARGEST)
 }
 
-wire_object! {
-    /// Measurements as columns of one length. With `sinkage_m` the forces are predicted at the measured slip and sinkage; without it `normal_force_n` is the load, for which the sinkage is solved.
-    DataDto as "FitData" {
-        slip: Series = column("Slip ratio s (–).", Number::new("Slip ratio s (–).", -1.0, 1.0).share(), true),
-        sinkage_m: Series = column("Sinkage z (m).", Number::new("Sinkage z (m), at most the wheel's radius.", 1e-9, 100.0), false),
-        longitudinal_force_n: Series = column("Longitudinal force F_x (N).", FORCE, false),
-        normal_force_n: Series = column("Normal force F_z (N); greater than 0 where it is the load.", FORCE, false),
-        torque_n_m: Series = column("Torque T (N·m).", FORCE, false),
-    }
+const SLIP: Field<Numbers> = Field { required: true, ..column("slip", "Slip ratio s (–).", RATIO) };
+/// In the order of the quantities.
+const COLUMNS: [Field<Numbers>; 4] = [
+    column("sinkage_m", "Sinkage z (m), at most the wheel's radius.", Number::new("m", 1e-9, 100.0)),
+    column("longitudinal_force_n", "Longitudinal force F_x (N).", measured("N")),
+    column("normal_force_n", "Normal force F_z (N); greater than 0 where it is the load.", measured("N")),
+    column("torque_n_m", "Torque T (N·m).", measured("N.m")),
+];
+pub(super) const SINKAGE: Field<Numbers> = COLUMNS[0];
+pub(super) const NORMAL: Field<Numbers> = COLUMNS[2];
+
+const fn deviation(column: &Field<Numbers>, meaning: &'static str, either: &'static [Alternative]) -> Field<OneOf> {
+    Field::new(column.name, meaning, OneOf::new("a number or an array of numbers", either))
 }
 
-wire_object! {
-    /// Standard deviations of the measured columns, one for all rows or one each: of every fitted column, or of none. Only their ratios count: one factor common to all is estimated from the residuals, as by `absolute_sigma=False` of SciPy's `curve_fit`.
-    DeviationsDto as "FitDeviations" {
-        sinkage_m: Each = deviation("Of the sinkage (m)."),
-        longitudinal_force_n: Each = deviation("Of the longitudinal force (N)."),
-        normal_force_n: Each = deviation("Of the normal force (N)."),
-        torque_n_m: Each = deviation("Of the torque (N·m)."),
-    }
+const fn either(unit: &'static str) -> [Alternative; 2] {
+    let number = Number::new(unit, 1e-12, LARGEST);
+    [Alternative::Number(number), Alternative::Numbers(Numbers::new(number, 1, MOST))]
 }
+
+const DEVIATIONS: [Field<OneOf>; 4] = [
+    deviation(&COLUMNS[0], "Of the sinkage (m).", &either("m")),
+    deviation(&COLUMNS[1], "Of the longitudinal force (N).", &either("N")),
+    deviation(&COLUMNS[2], "Of the normal force (N).", &either("N")),
+    deviation(&COLUMNS[3], "Of the torque (N·m).", &either("N.m")),
+];
+
+const DATA_OBJECT: Object = Object {
+    name: "FitData",
+    doc: "Measurements as columns of one length. With `sinkage_m` the forces are predicted at the measured slip and sinkage; without it `normal_force_n` is the load, for which the sinkage is solved.",
+    groups: &[&[&SLIP], &[&COLUMNS[0], &COLUMNS[1], &COLUMNS[2], &COLUMNS[3]]],
+};
+pub(super) const DATA: Field<&Object> = Field::required("data", "What was measured.", &DATA_OBJECT);
+const DEVIATIONS_OBJECT: Object = Object {
+    name: "FitDeviations",
+    doc: "Standard deviations of the measured columns, one for all rows or one each: of every fitted column, or of none. Only their ratios count: one factor common to all is estimated from the residuals, as by `absolute_sigma=False` of SciPy's `curve_fit`.",
+    groups: &[&[&DEVIATIONS[0], &DEVIATIONS[1], &DEVIATIONS[2], &DEVIATIONS[3]]],
+};
+pub(super) const STANDARD_DEVIATION: Field<&Object> = Field::new(
+    "standard_deviation",
+    "Standard deviations; without them every column counts by its size. By least_squares only their ratios count: the errors follow from the residuals. A robust loss takes the residuals in units of them.",
+    &DEVIATIONS_OBJECT,
+);
 
 /// The name of a measured column.
 pub(crate) fn column_name(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Sinkage => "sinkage_m",
-        Quantity::Longitudinal => "longitudinal_force_n",
-        Quantity::Normal => "normal_force_n",
-        Quantity::Torque => "torque_n_m",
-    }
+    let column = match quantity {
+        Quantity::Sinkage => 0,
+        Quantity::Longitudinal => 1,
+        Quantity::Normal => 2,
+        Quantity::Torque => 3,
+    };
+    COLUMNS[column].name
 }
 
-impl DataDto {
-    fn columns(&self) -> [Entry<'_, Series>; 4] {
-        [self.sinkage_m(), self.longitudinal_force_n(), self.normal_force_n(), self.torque_n_m()]
-    }
-
-    /// Whether a sinkage was sent, right or wrong.
-    pub(super) fn has_sinkage(&self) -> bool {
-        self.sinkage_m().is_present()
-    }
-
-    /// Whether a normal force was sent, right or wrong.
-    pub(super) fn has_normal_force(&self) -> bool {
-        self.normal_force_n().is_present()
-    }
-
-    /// The measurements: all columns as long as the slip, no sinkage beyond the wheel.
-    pub(super) fn check(
-        &self,
-        place: &Scope<'_>,
-        deviations: Option<(&DeviationsDto, &Scope<'_>)>,
-        wheel: Option<&Wheel>,
-    ) -> Option<Observations> {
-        self.report_oddities(place);
-        let slip = self.slip().required_numbers(place);
-        let columns = self.columns().map(|entry| entry.numbers(place));
-        let whole = self.columns().iter().zip(&columns).all(|(entry, column)| column.is_some() == entry.is_present());
-        let stated = deviations.map(|(dto, place)| (dto, place, dto.report_oddities(place)));
-        let slip = slip?;
-        let mut long_enough = true;
-        for (entry, column) in self.columns().iter().zip(&columns) {
-            if let Some(column) = column
-                && column.len() != slip.len()
-            {
-                let (found, expected) = (column.len(), slip.len());
-                place.field(entry.name).fault(format_args!("has {found} values where `slip` has {expected}"));
-                long_enough = false;
-            }
+/// The measurements: all columns as long as the slip, no sinkage beyond the wheel.
+pub(super) fn read(data: &Reader<'_>, deviations: Option<&Reader<'_>>, wheel: Option<&Wheel>) -> Option<Observations> {
+    let slip = data.required(&SLIP);
+    let columns = COLUMNS.each_ref().map(|field| data.optional(field));
+    let slip = slip?;
+    let mut is_whole = true;
+    for (field, column) in COLUMNS.iter().zip(&columns) {
+        let Some(column) = column else {
+            is_whole = false;
+            continue;
+        };
+        if let Some(column) = column
+            && column.len() != slip.len()
+        {
+            let (found, expected) = (column.len(), slip.len());
+            data.place_of(field).fault(format_args!("has {found} values where `slip` has {expected}"));
+            is_whole = false;
         }
-        let stated = stated.map(|(dto, place, ())| dto.check(place, self, slip.len()));
-        let within = self.sinkages_within(place, columns[0].as_deref(), wheel);
-        if !(whole && long_enough && within) {
-            return None;
-        }
-        let mut stated = stated.map_or(Some(Default::default()), |stated| stated)?;
-        let [sinkage, longitudinal, normal, torque] = columns;
-        let mut with = |i: usize, values: Option<Vec<f64>>| values.map(|values| Column { values, deviation: stated[i].take() });
-        Some(Observations {
-            slip: slip.into_iter().map(Slip::new).collect::<Result<_, _>>().ok()?,
-            sinkage: with(0, sinkage),
-            longitudinal: with(1, longitudinal),
-            normal: with(2, normal),
-            torque: with(3, torque),
-        })
     }
-
-    /// Whether no sinkage is beyond the wheel; the first that is, is reported.
-    fn sinkages_within(&self, place: &Scope<'_>, sinkages: Option<&[f64]>, wheel: Option<&Wheel>) -> bool {
-        let (Some(sinkages), Some(wheel)) = (sinkages, wheel) else { return true };
-        let radius = wheel.radius();
-        let Some(row) = sinkages.iter().position(|&sinkage| sinkage > radius) else { return true };
-        place.field("sinkage_m").item(row).fault(Error::SinkageOutsideWheel { sinkage: sinkages[row], radius });
-        false
+    let stated = match deviations {
+        Some(deviations) => standard_deviations(deviations, data, slip.len()),
+        None => Some(Default::default()),
+    };
+    let columns = columns.map(Option::flatten);
+    let within = sinkages_within(data, columns[0], wheel);
+    let mut stated = stated?;
+    if !(is_whole && within) {
+        return None;
     }
+    let [sinkage, longitudinal, normal, torque] = columns;
+    let mut with =
+        |i: usize, values: Option<&[f64]>| values.map(|values| Column { values: values.to_vec(), deviation: stated[i].take() });
+    Some(Observations {
+        slip: slip.iter().map(|&slip| Slip::new(slip)).collect::<Result<_, _>>().ok()?,
+        sinkage: with(0, sinkage),
+        longitudinal: with(1, longitudinal),
+        normal: with(2, normal),
+        torque: with(3, torque),
+    })
 }
 
-impl DeviationsDto {
-    /// The deviations of sinkage, F_x, F_z and T; one of a column that was not measured is reported.
-    fn check(&self, place: &Scope<'_>, data: &DataDto, count: usize) -> Option<[Option<Vec<f64>>; 4]> {
-        let entries = [self.sinkage_m(), self.longitudinal_force_n(), self.normal_force_n(), self.torque_n_m()];
-        let mut whole = true;
-        let values = std::array::from_fn(|i| {
-            let entry = &entries[i];
-            let values = entry.for_each_of(place, count);
-            whole &= values.is_some() == entry.is_present();
-            if entry.is_present() && !data.columns()[i].is_present() {
-                place.field(entry.name).fault("has no such column in `data`");
-                whole = false;
+/// Whether no sinkage is beyond the wheel; the first that is, is reported.
+fn sinkages_within(data: &Reader<'_>, sinkages: Option<&[f64]>, wheel: Option<&Wheel>) -> bool {
+    let (Some(sinkages), Some(wheel)) = (sinkages, wheel) else { return true };
+    let radius = wheel.radius();
+    let Some(row) = sinkages.iter().position(|&sinkage| sinkage > radius) else { return true };
+    let figures = Figures { maximum: Some(radius), ..SINKAGE.kind.number.figures(sinkages[row]) };
+    data.place_of(&SINKAGE).item(row).report(figures, Error::SinkageOutsideWheel { sinkage: sinkages[row], radius });
+    false
+}
+
+/// The deviations of sinkage, F_x, F_z and T; one of a column that was not measured is reported.
+fn standard_deviations(object: &Reader<'_>, data: &Reader<'_>, count: usize) -> Option<[Option<Vec<f64>>; 4]> {
+    let mut is_whole = true;
+    let values = std::array::from_fn(|i| {
+        let field = &DEVIATIONS[i];
+        let values = match object.optional(field) {
+            Some(None) => return None,
+            Some(Some(Either::Number(value))) => Some(vec![value; count]),
+            Some(Some(Either::Numbers(values))) if values.len() == count => Some(values.to_vec()),
+            Some(Some(Either::Numbers(values))) => {
+                let detail = format_args!("has {} values where the data have {count}", values.len());
+                object.place_of(field).fault(detail);
+                None
             }
-            values
-        });
-        whole.then_some(values)
-    }
+            _ => None,
+        };
+        let is_measured = data.has(&COLUMNS[i]);
+        if !is_measured {
+            object.place_of(field).fault("has no such column in `data`");
+        }
+        is_whole &= values.is_some() && is_measured;
+        values
+    });
+    is_whole.then_some(values)
 }

@@ -1,128 +1,122 @@
-//! The forward model of a fit, from what is known and what stands in for the fitted fields.
+//! The forward model of a fit: what is known of it, and the starts of what is fitted.
 
-use terramechanics::{Contact, ContactParams, Operation, PeakRule, WheelOnSoil, WongReece};
+use terramechanics::{Contact, ContactParams, ForceModel, PeakRule, SlipSinkage, Wheel, WongReece};
 use terramechanics_identification::{Setup, SinkageSource, Unknown};
+use terramechanics_reading::Reader;
 
-use super::{IdentifyDto, name_of};
-use crate::request::SoilDto;
-use crate::request::method::MethodEntries;
-use crate::request::operation::{self, OperationEntries};
-use crate::request::soil::Needs;
-use crate::wire::{Entry, Field, Scope};
+use super::data::{DATA, NORMAL, SINKAGE};
+use super::unknowns::{self, By, name_of};
+use super::{PARTIAL_SOIL, SLIP_SINKAGE_OF_FIT};
+use crate::request::method::{self, NORMAL_STRESS_RADIUS, PEAK_SINKAGE};
+use crate::request::sinkage;
+use crate::request::soil::{self, FoundSoil, LawOrigin, Needs};
+use crate::request::system::{self, CONTACT};
 
-/// Where the pressure–sinkage law of a setup comes from.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LawOrigin {
-    /// Whether the request or the catalogue has it.
-    pub(super) known: bool,
-    /// Whether the preset's law gave way to the direct one, whose modulus is fitted.
-    pub(super) replaced: bool,
+/// What is sought, and where from.
+pub(super) struct Sought<'a> {
+    pub(super) fitted: &'a [Unknown],
+    pub(super) starts: &'a By<f64>,
+    /// Whether the pressure–sinkage law has an influence.
+    pub(super) needs_law: bool,
 }
 
-impl IdentifyDto {
-    /// The forward model, with starts for what is fitted and known nowhere.
-    pub(super) fn setup(
-        &self,
-        place: &Scope<'_>,
-        fitted: &[Unknown],
-        starts: &[(Unknown, f64)],
-        needs_law: bool,
-    ) -> Option<(Setup, LawOrigin)> {
-        let start =
-            |unknown: Unknown| starts.iter().find(|(known, _)| *known == unknown).map_or(unknown.typical(), |(_, value)| *value);
-        let filling: Vec<(&'static str, f64)> = fitted.iter().map(|&unknown| (name_of(unknown), start(unknown))).collect();
-        let (soil, law_replaced) = match self.soil().field {
-            Field::Absent if !lacking(fitted).is_empty() => {
-                let lacking = lacking(fitted).join(", ");
-                place.field("soil").fault(format_args!("a soil is needed: neither given nor fitted are {lacking}"));
-                return None;
-            }
-            Field::Absent => SoilDto::default().filled(&filling),
-            Field::Given(dto) => dto.filled(&filling),
-            Field::Wrong(_) => {
-                self.soil().given(place);
-                return None;
-            }
-        };
-        let soil = Field::Given(soil);
-        let contact = self.contact().given(place).map(|dto| dto.filled(&filling));
-        let contact = contact.map_or(Field::Absent, Field::Given);
-        // Any sinkage will do here; where each sample has its own, this one is not used.
-        let sinkage = Field::Given(1e-6);
-        let absent = Field::Absent;
-        let (absent_law, absent_word) = (Field::Absent, Field::Absent);
-        let checked = OperationEntries {
-            wheel: self.wheel(),
-            soil: Entry { field: &soil, name: self.soil().name, spec: self.soil().spec },
-            needs: Needs { pressure_sinkage: needs_law, ..Needs::BOTH_LAWS },
-            contact: Entry { field: &contact, name: self.contact().name, spec: self.contact().spec },
-            sinkage: Entry { name: "data", field: &sinkage, spec: &operation::SINKAGE },
-            static_sinkage: Entry { name: "data", field: &absent, spec: &operation::STATIC_SINKAGE },
-            slip_sinkage: Entry { name: "slip_sinkage", field: &absent_law, spec: &operation::SLIP_SINKAGE },
-            normal_load: Entry { name: "data", field: &absent, spec: &operation::NORMAL_LOAD },
-            normal_stress_radius: self.normal_stress_radius(),
-            peak_sinkage: self.peak_sinkage(),
-            braking: Entry { name: "braking", field: &absent_word, spec: &operation::BRAKING },
-            side_slip: None,
-            method: Some(MethodEntries { method: self.method(), lambda_a: self.lambda_a(), lambda_b: self.lambda_b() }),
-        }
-        .check(place);
-        let source = self.sinkage_source(place, fitted, start(Unknown::StaticSinkage));
-        let Operation { system, model, .. } = checked?.operation;
-        let WheelOnSoil { wheel, soil, contact } = system;
-        let contact = self.contact_params(&contact, fitted, start(Unknown::PeakIntercept), start(Unknown::PeakSlipGain));
-        Some((
-            Setup { wheel, soil: *soil.params(), contact, model, sinkage: source? },
-            LawOrigin { known: soil.pressure_sinkage().is_some(), replaced: law_replaced },
-        ))
+impl Sought<'_> {
+    fn start(&self, unknown: Unknown) -> f64 {
+        unknowns::of(self.starts, unknown).unwrap_or(unknown.typical())
     }
 
-    /// The contact; where c1 or c2 is fitted and nothing was said of the contact, it follows Wong & Reece's rule.
-    fn contact_params(&self, contact: &Contact, fitted: &[Unknown], c1: f64, c2: f64) -> ContactParams {
-        let params = *contact.params();
-        let is_fitted = fitted.contains(&Unknown::PeakIntercept) || fitted.contains(&Unknown::PeakSlipGain);
-        match params.rule {
-            PeakRule::Midpoint | PeakRule::HalfSinkage if is_fitted && !self.contact().is_present() => {
-                let c2 = if fitted.contains(&Unknown::PeakSlipGain) { c2 } else { 0.0 };
-                let c1 = if fitted.contains(&Unknown::PeakIntercept) { c1 } else { 0.5 };
-                ContactParams { rule: PeakRule::WongReece(WongReece { c1, c2 }), ..params }
-            }
-            _ => params,
-        }
+    fn has(&self, unknown: Unknown) -> bool {
+        self.fitted.contains(&unknown)
     }
+}
 
-    /// Where the sinkage of a sample comes from.
-    fn sinkage_source(&self, place: &Scope<'_>, fitted: &[Unknown], static_sinkage: f64) -> Option<SinkageSource> {
-        let is_static = fitted.contains(&Unknown::StaticSinkage);
-        let law = match self.slip_sinkage().given(place) {
-            Some(dto) => dto.check(&place.field("slip_sinkage")),
-            None => Some(terramechanics::SlipSinkage::Lyasko),
-        };
-        if self.slip_sinkage().is_present() && !is_static {
-            place.field("slip_sinkage").fault("needs `static_sinkage_m` among the parameters of `fit`");
-            return None;
+/// A forward model as far as it could be read.
+pub(super) struct Found {
+    pub(super) setup: Option<Setup>,
+    pub(super) wheel: Option<Wheel>,
+    pub(super) law: Option<LawOrigin>,
+}
+
+/// The forward model, with starts for what is fitted and known nowhere.
+pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader<'_>>) -> Found {
+    let start_of = |name: &str| {
+        let unknown = sought.fitted.iter().copied().find(|&unknown| name_of(unknown) == name)?;
+        Some(sought.start(unknown))
+    };
+    let needs = Needs { pressure_sinkage: sought.needs_law, fitted: &start_of, ..Needs::ALL };
+    let wheel = system::read_wheel(object);
+    let soil = read_soil(object, sought, needs);
+    let contact = system::read_contact(object, soil.as_ref(), needs);
+    let peak_depth = object.optional(&PEAK_SINKAGE);
+    let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
+    let method = method::read(object, peak_depth.flatten());
+    let source = sinkage_source(object, sought, data);
+    let setup = || {
+        peak_depth?;
+        Some(Setup {
+            wheel: wheel?,
+            soil: *soil?.soil.params(),
+            contact: contact_params(object, &contact?, sought),
+            model: ForceModel { method: method?, normal_stress_radius: normal_stress_radius? },
+            sinkage: source?,
+        })
+    };
+    Found { setup: setup(), wheel, law: soil.map(|soil| soil.law) }
+}
+
+/// The soil; one of which nothing is said has to be fitted as a whole.
+fn read_soil(object: &Reader<'_>, sought: &Sought<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
+    let lacking = lacking(sought);
+    if !object.has(&PARTIAL_SOIL) && !lacking.is_empty() {
+        let lacking = lacking.join(", ");
+        let place = object.place_of(&PARTIAL_SOIL);
+        place.fault(format_args!("a soil is needed: neither given nor fitted are {lacking}"));
+        return None;
+    }
+    soil::read(&object.or_empty(&PARTIAL_SOIL)?, needs)
+}
+
+/// The contact; where c1 or c2 is fitted and nothing was said of the contact, it follows Wong & Reece's rule.
+fn contact_params(object: &Reader<'_>, contact: &Contact, sought: &Sought<'_>) -> ContactParams {
+    let params = *contact.params();
+    let (c1, c2) = (Unknown::PeakIntercept, Unknown::PeakSlipGain);
+    match params.rule {
+        PeakRule::Midpoint | PeakRule::HalfSinkage if (sought.has(c1) || sought.has(c2)) && !object.has(&CONTACT) => {
+            let c2 = if sought.has(c2) { sought.start(c2) } else { 0.0 };
+            let c1 = if sought.has(c1) { sought.start(c1) } else { 0.5 };
+            ContactParams { rule: PeakRule::WongReece(WongReece { c1, c2 }), ..params }
         }
-        let data = self.data().given(place)?;
-        if is_static {
-            Some(SinkageSource::Static { static_sinkage, law: law? })
-        } else if data.has_sinkage() {
-            Some(SinkageSource::Measured)
-        } else if data.has_normal_force() {
-            Some(SinkageSource::Load)
-        } else {
-            place.field("data").fault("needs `sinkage_m`, or `normal_force_n` as the load");
-            None
-        }
+        _ => params,
+    }
+}
+
+/// Where the sinkage of a sample comes from.
+fn sinkage_source(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader<'_>>) -> Option<SinkageSource> {
+    let is_static = sought.has(Unknown::StaticSinkage);
+    let law: Option<SlipSinkage> = sinkage::law(object);
+    if object.has(&SLIP_SINKAGE_OF_FIT) && !is_static {
+        object.place_of(&SLIP_SINKAGE_OF_FIT).fault("needs `static_sinkage_m` among the parameters of `fit`");
+        return None;
+    }
+    let data = data?;
+    if is_static {
+        Some(SinkageSource::Static { static_sinkage: sought.start(Unknown::StaticSinkage), law: law? })
+    } else if data.has(&SINKAGE) {
+        Some(SinkageSource::Measured)
+    } else if data.has(&NORMAL) {
+        Some(SinkageSource::Load)
+    } else {
+        object.place_of(&DATA).fault("needs `sinkage_m`, or `normal_force_n` as the load");
+        None
     }
 }
 
 /// What a soil has besides the parameters.
-fn lacking(fitted: &[Unknown]) -> Vec<&'static str> {
+fn lacking(sought: &Sought<'_>) -> Vec<&'static str> {
     use Unknown as U;
     let alone = [U::Cohesion, U::FrictionAngle, U::ShearModulus, U::BaseExponent];
-    let mut lacking: Vec<&'static str> = alone.into_iter().filter(|unknown| !fitted.contains(unknown)).map(name_of).collect();
-    let moduli = [U::SinkageModulus, U::CohesiveModulus, U::FrictionalModulus].map(|unknown| fitted.contains(&unknown));
-    match moduli {
+    let mut lacking: Vec<&'static str> = alone.into_iter().filter(|&unknown| !sought.has(unknown)).map(name_of).collect();
+    match [U::SinkageModulus, U::CohesiveModulus, U::FrictionalModulus].map(|unknown| sought.has(unknown)) {
         [true, ..] | [_, true, true] => {}
         [false, true, false] => lacking.push("k_phi"),
         [false, false, true] => lacking.push("k_c"),

@@ -1,7 +1,7 @@
 //! The header of a table, the row of units below it, and the numbers under it.
 
 use super::super::{Column, ExtraColumns, LEAVING_OUT, Layout};
-use crate::wire::nearest;
+use crate::words::nearest;
 
 /// How the unit of each column may be written in a row of units; brackets around it are left out.
 const UNITS: [&[&str]; Column::COUNT] = [

@@ -244,7 +244,7 @@ impl CsvReader {
     }
 
     fn word(&self, index: usize) -> String {
-        crate::wire::shortened(&String::from_utf8_lossy(self.cell(index)))
+        terramechanics_reading::shortened(&String::from_utf8_lossy(self.cell(index)))
     }
 
     fn words(&self) -> Vec<String> {

@@ -1,7 +1,8 @@
 //! What is wrong with a text that is not JSON, in the words of one who wrote it and not of the parser.
 
 /// What is wrong, with line and column.
-pub(crate) fn fault_in_words(text: &[u8], error: &serde_json::Error) -> String {
+#[must_use]
+pub fn fault_in_words(text: &[u8], error: &serde_json::Error) -> String {
     let (line, column) = (error.line(), error.column());
     if text.trim_ascii().is_empty() {
         return format!("the body is empty: send a JSON object (line {line}, column {column})");

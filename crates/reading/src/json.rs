@@ -1,0 +1,270 @@
+//! A JSON text as a tree.
+
+use std::borrow::Cow;
+use std::cell::Cell;
+use std::fmt;
+
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+
+use crate::node::{Fields, List, Node};
+
+/// Objects and lists within each other that are kept; of what lies deeper only the kind is. No request lies deeper.
+const DEEPEST: usize = 12;
+
+/// Fields of objects, and items of lists that are no numbers, which a text may have in all.
+pub const MOST_NODES: usize = 10_000;
+
+/// Fields for which an object has room at first.
+const USUAL_FIELDS: usize = 8;
+
+/// Why there is no tree.
+#[derive(Debug)]
+pub enum Unread {
+    /// The text is not JSON.
+    NotJson(serde_json::Error),
+    /// It has more than [`MOST_NODES`] fields and items.
+    TooMuch,
+}
+
+impl fmt::Display for Unread {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotJson(error) => error.fmt(f),
+            Self::TooMuch => write!(f, "there may be {MOST_NODES} fields in all"),
+        }
+    }
+}
+
+impl std::error::Error for Unread {}
+
+/// Reads a whole JSON text; a byte order mark before it, which some editors and shells write, is passed over
+/// (RFC 8259, section 8.1).
+///
+/// # Errors
+/// Where the text is not JSON or has too many fields.
+///
+/// ```
+/// use terramechanics_reading::{Node, json};
+/// let Node::Object(fields) = json(br#"{"slip": 0.2, "slip": 0.3}"#)? else { panic!("an object") };
+/// assert_eq!(fields.iter().count(), 2); // repeated names are seen
+/// # Ok::<(), terramechanics_reading::Unread>(())
+/// ```
+pub fn json(text: &[u8]) -> Result<Node<'_>, Unread> {
+    let text = text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text);
+    let mut deserializer = serde_json::Deserializer::from_slice(text);
+    let left = Cell::new(Some(MOST_NODES));
+    let node = Seed { left: &left, depth: DEEPEST, keep: true }.deserialize(&mut deserializer).map_err(Unread::NotJson)?;
+    deserializer.end().map_err(Unread::NotJson)?;
+    if left.get().is_none() { Err(Unread::TooMuch) } else { Ok(node) }
+}
+
+/// The tree of a value that a program made.
+impl<'a> From<&'a serde_json::Value> for Node<'a> {
+    fn from(value: &'a serde_json::Value) -> Self {
+        let left = Cell::new(Some(usize::MAX));
+        // A value can always be read.
+        Seed { left: &left, depth: DEEPEST, keep: true }.deserialize(value).unwrap_or(Node::Null)
+    }
+}
+
+/// Reads one value.
+#[derive(Clone, Copy)]
+struct Seed<'s> {
+    /// Nodes that may still come; none once there were too many.
+    left: &'s Cell<Option<usize>>,
+    depth: usize,
+    /// Whether what the value holds is kept.
+    keep: bool,
+}
+
+impl Seed<'_> {
+    /// Takes one of the nodes that are left; false where there is none.
+    fn take(self) -> bool {
+        let left = self.left.get().and_then(|left| left.checked_sub(1));
+        self.left.set(left);
+        left.is_some()
+    }
+
+    fn text<'de>(self, text: impl FnOnce() -> Cow<'de, str>) -> Node<'de> {
+        Node::Text(if self.keep { text() } else { Cow::Borrowed("") })
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for Seed<'_> {
+    type Value = Node<'de>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Node<'de>, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Seed<'_> {
+    type Value = Node<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON value")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Node<'de>, E> {
+        Ok(Node::Number(value))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Node<'de>, E> {
+        Ok(Node::Number(value as f64))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Node<'de>, E> {
+        Ok(Node::Number(value as f64))
+    }
+
+    fn visit_bool<E>(self, value: bool) -> Result<Node<'de>, E> {
+        Ok(Node::Flag(value))
+    }
+
+    fn visit_unit<E>(self) -> Result<Node<'de>, E> {
+        Ok(Node::Null)
+    }
+
+    fn visit_borrowed_str<E>(self, value: &'de str) -> Result<Node<'de>, E> {
+        Ok(self.text(|| Cow::Borrowed(value)))
+    }
+
+    fn visit_str<E>(self, value: &str) -> Result<Node<'de>, E> {
+        Ok(self.text(|| Cow::Owned(value.to_owned())))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Node<'de>, A::Error> {
+        let mut list = List::default();
+        if self.keep && self.depth > 0 {
+            while let Some(item) = items.next_element_seed(Self { depth: self.depth - 1, keep: list.keeps_others(), ..self })? {
+                let is_plain = matches!(item, Node::Number(_) | Node::Null);
+                if is_plain || !list.keeps_others() || self.take() {
+                    list.push(item);
+                }
+            }
+        } else {
+            while items.next_element::<IgnoredAny>()?.is_some() {}
+        }
+        Ok(Node::List(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Node<'de>, A::Error> {
+        if !self.keep || self.depth == 0 {
+            while map.next_entry::<IgnoredAny, IgnoredAny>()?.is_some() {}
+            return Ok(Node::Object(Fields::default()));
+        }
+        let mut fields = Vec::with_capacity(USUAL_FIELDS);
+        while let Some(name) = map.next_key_seed(Name)? {
+            let keep = self.take();
+            let value = map.next_value_seed(Self { depth: self.depth - 1, keep, ..self })?;
+            if keep {
+                fields.push((name, value));
+            }
+        }
+        Ok(Node::Object(Fields(fields)))
+    }
+}
+
+/// Reads a name, which is borrowed where it stands in the text as it is.
+struct Name;
+
+impl<'de> DeserializeSeed<'de> for Name {
+    type Value = Cow<'de, str>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Cow<'de, str>, D::Error> {
+        deserializer.deserialize_str(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Name {
+    type Value = Cow<'de, str>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a name")
+    }
+
+    fn visit_borrowed_str<E>(self, name: &'de str) -> Result<Cow<'de, str>, E> {
+        Ok(Cow::Borrowed(name))
+    }
+
+    fn visit_str<E>(self, name: &str) -> Result<Cow<'de, str>, E> {
+        Ok(Cow::Owned(name.to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn object<'a>(node: &'a Node<'a>) -> &'a Fields<'a> {
+        let Node::Object(fields) = node else { panic!("{node:?} is no object") };
+        fields
+    }
+
+    #[test]
+    fn numbers_have_the_bits_of_the_nearest_double() {
+        for text in
+            ["0.1", "-0", "4.35e-5", "1.7976931348623157e308", "5e-324", "123456789012345678901", "7", "-9007199254740993"]
+        {
+            let expected: f64 = text.parse().expect("a number");
+            assert_eq!(json(text.as_bytes()).expect("JSON"), Node::Number(expected), "{text}");
+            let list = format!("[{text}]");
+            let Node::List(list) = json(list.as_bytes()).expect("JSON") else { panic!("a list") };
+            assert_eq!(list.numbers()[0].to_bits(), expected.to_bits(), "{text}");
+        }
+    }
+
+    #[test]
+    fn names_and_texts_are_borrowed_unless_they_are_escaped() {
+        let node = json(br#"{"a": "b", "\u0061": "\n"}"#).expect("JSON");
+        let fields = &object(&node).0;
+        assert!(matches!(&fields[0], (Cow::Borrowed("a"), Node::Text(Cow::Borrowed("b")))));
+        assert!(matches!(&fields[1], (Cow::Owned(name), Node::Text(Cow::Owned(text))) if name == "a" && text == "\n"));
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_passed_over_and_what_follows_the_text_is_not() {
+        assert_eq!(json("\u{feff}{}".as_bytes()).expect("JSON"), Node::Object(Fields::default()));
+        for text in ["{} x", "", "[1,", "{\"a\": NaN}", "1e999", "{a: 1}"] {
+            assert!(matches!(json(text.as_bytes()), Err(Unread::NotJson(_))), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_lies_too_deep_is_left_out_and_a_parser_has_its_own_limit() {
+        let deep = |levels: usize| format!("{}1{}", "{\"a\":".repeat(levels), "}".repeat(levels));
+        let (text, mut depth) = (deep(100), 0);
+        let mut node = &json(text.as_bytes()).expect("JSON");
+        while let Node::Object(fields) = node
+            && let Some((_, below)) = fields.0.first()
+        {
+            (node, depth) = (below, depth + 1);
+        }
+        assert_eq!((depth, node), (DEEPEST, &Node::Object(Fields::default())));
+        assert!(matches!(json("[".repeat(100_000).as_bytes()), Err(Unread::NotJson(_))));
+    }
+
+    #[test]
+    fn a_text_of_too_many_fields_is_refused_wherever_they_are() {
+        let fields = |count: usize| vec!["\"a\":1"; count].join(",");
+        assert!(json(format!("{{{}}}", fields(MOST_NODES)).as_bytes()).is_ok());
+        let one_object = format!("{{{}}}", fields(MOST_NODES + 1));
+        let many_lists = format!("[{}]", vec![format!("[{}]", vec!["{}"; 64].join(",")); 64].join(","));
+        let in_lists = format!("{{{}}}", vec![format!("\"a\":{many_lists}"); 3].join(","));
+        for text in [&one_object, &in_lists] {
+            assert!(matches!(json(text.as_bytes()), Err(Unread::TooMuch)));
+        }
+        // Numbers are cheap, and odd items beyond the first are not kept.
+        for item in ["1", "null", "{\"a\":[1]}", "\"a\""] {
+            assert!(json(format!("[{}]", vec![item; 50_000].join(",")).as_bytes()).is_ok(), "{item}");
+        }
+    }
+
+    #[test]
+    fn a_value_of_a_program_gives_the_tree_of_its_text() {
+        let value = serde_json::json!({"a": [1, null, "x", {"b": 0.1}], "c": true, "d": null});
+        let (tree, text) = (Node::from(&value), value.to_string());
+        // As text, for a missing number is not equal to itself.
+        assert_eq!(format!("{tree:?}"), format!("{:?}", json(text.as_bytes()).expect("JSON")));
+    }
+}

@@ -1,0 +1,164 @@
+//! The laws and rules that a request may name: the model's own tables, as fields of a request and forms of the contract.
+
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+use terramechanics::{
+    Contact, ContactParams, Declared, JanosiHanamoto, Law, Parameter, PeakRule, PressureSinkage, ShearLaw, SlipSinkage,
+};
+use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
+
+/// What may be sent for a parameter of the model, if something is.
+pub(super) const fn number(parameter: &Parameter) -> Number {
+    let number = Number::new(parameter.unit, parameter.least, parameter.most);
+    if parameter.is_open_above() { number.open_above() } else { number }
+}
+
+/// The same, with the parameter's default.
+pub(super) const fn number_or_default(parameter: &Parameter) -> Number {
+    match parameter.default() {
+        Some(default) => number(parameter).or(default),
+        None => number(parameter),
+    }
+}
+
+/// The field of a parameter that may be absent from a request.
+pub(super) const fn field(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
+    Field::new(parameter.name, meaning, number(parameter))
+}
+
+/// The same, with the parameter's default.
+pub(super) const fn field_or_default(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
+    Field::new(parameter.name, meaning, number_or_default(parameter))
+}
+
+/// A text that is made once and kept for good.
+fn kept(text: String) -> &'static str {
+    Box::leak(text.into_boxed_str())
+}
+
+/// The field of a parameter as the model declares it.
+fn declared(parameter: &'static Parameter) -> Field<Number> {
+    let Parameter { name, symbol, unit, meaning, .. } = *parameter;
+    let unit = if unit == "1" { "–" } else { unit };
+    let meaning = kept(format!("{symbol} ({unit}): {meaning}"));
+    Field { name, meaning, kind: number_or_default(parameter), required: parameter.is_required() }
+}
+
+/// The forms of a family, whose laws have these parameters in a request.
+fn variants<F>(laws: &'static [Law<F>], parameters: impl Fn(&Law<F>) -> Vec<&'static Parameter>) -> Vec<Variant> {
+    let variant = |law: &'static Law<F>| Variant {
+        name: law.name,
+        doc: kept(format!("{} {}.", law.doc, law.formula)),
+        fields: Cow::Owned(parameters(law).into_iter().map(declared).collect()),
+    };
+    laws.iter().map(variant).collect()
+}
+
+/// The law that a request chose.
+fn chosen<F>(laws: &'static [Law<F>], index: usize, values: &[Option<f64>]) -> Option<F> {
+    laws.get(index)?.from_values(values).ok()
+}
+
+/// The pressure–sinkage law of a request.
+pub(super) const PRESSURE_SINKAGE: Tagged = Tagged {
+    name: "PressureSinkage",
+    doc: "A pressure–sinkage law σ = K_s z^N with N = n0 + n1 s, or n0 − n2 s at negative slip where n2 is given.",
+    tag: "law",
+    meaning: "Name of the law.",
+    suffix: "Law",
+    variants: || {
+        static VARIANTS: LazyLock<Vec<Variant>> =
+            LazyLock::new(|| variants(PressureSinkage::LAWS, |law| law.parameters.iter().collect()));
+        &VARIANTS
+    },
+};
+
+pub(super) fn pressure_sinkage(Chosen { index, values }: &Chosen) -> Option<PressureSinkage> {
+    chosen(PressureSinkage::LAWS, *index, values)
+}
+
+/// The shear law of a request. The parameter of Janosi–Hanamoto's is a field of the soil.
+pub(super) const SHEAR: Tagged = Tagged {
+    name: "Shear",
+    doc: "How shear strength builds up with displacement: to the full strength and no further (Janosi–Hanamoto, with the soil's shear_modulus_m), over a hump to a residual, or over a peak to nothing (Wong).",
+    tag: "law",
+    meaning: "Name of the law.",
+    suffix: "Shear",
+    variants: || {
+        static VARIANTS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
+            variants(ShearLaw::LAWS, |law| if is_of_soil(law) { Vec::new() } else { law.parameters.iter().collect() })
+        });
+        &VARIANTS
+    },
+};
+
+/// Whether the parameter of the law is a field of the soil.
+fn is_of_soil(law: &Law<ShearLaw>) -> bool {
+    law.name == JanosiHanamoto::NAME
+}
+
+/// The shear law, or none for the one whose parameter is a field of the soil; nothing where there is no such law.
+pub(super) fn shear(Chosen { index, values }: &Chosen) -> Option<Option<ShearLaw>> {
+    if ShearLaw::LAWS.get(*index).is_some_and(is_of_soil) {
+        return Some(None);
+    }
+    chosen(ShearLaw::LAWS, *index, values).map(Some)
+}
+
+/// The slip–sinkage law of a request.
+pub(super) const SLIP_SINKAGE: Tagged = Tagged {
+    name: "SlipSinkage",
+    doc: "How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s).",
+    tag: "law",
+    meaning: "Name of the law.",
+    suffix: "SlipSinkage",
+    variants: || {
+        static VARIANTS: LazyLock<Vec<Variant>> =
+            LazyLock::new(|| variants(SlipSinkage::LAWS, |law| law.parameters.iter().collect()));
+        &VARIANTS
+    },
+};
+
+pub(super) fn slip_sinkage(Chosen { index, values }: &Chosen) -> Option<SlipSinkage> {
+    chosen(SlipSinkage::LAWS, *index, values)
+}
+
+/// The contact of a request: a rule for its peak, and what every contact has.
+pub(super) const CONTACT: Tagged = Tagged {
+    name: "Contact",
+    doc: "Where the stresses are largest and where the contact ends: θm by the rule, θ2 = c3 θ1.",
+    tag: "rule",
+    meaning: "midpoint: θm = (θ1 + θ2)/2; wong_reece: θm = (c1 + c2 s) θ1; half_sinkage: θm = arccos(1 − z/(2r)).",
+    suffix: "Contact",
+    variants: || {
+        static VARIANTS: LazyLock<Vec<Variant>> =
+            LazyLock::new(|| variants(PeakRule::LAWS, |rule| rule.parameters.iter().chain([&Contact::EXIT_RATIO]).collect()));
+        &VARIANTS
+    },
+};
+
+pub(super) fn contact(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
+    let (exit_ratio, values) = values.split_last()?;
+    Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit_ratio: (*exit_ratio)? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every row of the model's tables can be chosen, and what is chosen is that law.
+    #[test]
+    fn every_law_of_the_model_can_be_chosen() {
+        let values = |variant: &Variant| variant.fields.iter().map(|field| field.kind.default_value().or(Some(0.5))).collect();
+        let all = |tagged: &Tagged, made: &dyn Fn(&Chosen) -> Option<&'static str>| {
+            for (index, variant) in (tagged.variants)().iter().enumerate() {
+                assert_eq!(made(&Chosen { index, values: values(variant) }), Some(variant.name));
+            }
+        };
+        all(&PRESSURE_SINKAGE, &|chosen| Some(pressure_sinkage(chosen)?.law().name));
+        all(&SHEAR, &|chosen| Some(shear(chosen)?.map_or(JanosiHanamoto::NAME, |law| law.law().name)));
+        all(&SLIP_SINKAGE, &|chosen| Some(slip_sinkage(chosen)?.law().name));
+        all(&CONTACT, &|chosen| Some(contact(chosen)?.rule.law().name));
+    }
+}

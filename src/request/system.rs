@@ -1,0 +1,71 @@
+//! What all requests have: a wheel, a soil, and where they touch.
+
+use terramechanics::{Braking, Contact, PressureSinkage, Wheel, WheelOnSoil};
+use terramechanics_reading::{Field, Group, Object, Reader, Tagged};
+
+use super::laws;
+use super::soil::{self, FoundSoil, Needs};
+use super::{Described, Shape, wheel};
+
+pub(super) const WHEEL: Field<&Object> = Field::required("wheel", "The wheel.", &wheel::WHEEL);
+pub(super) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &soil::SOIL);
+pub(super) const CONTACT: Field<&Tagged> = Field::new(
+    "contact",
+    "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.",
+    &laws::CONTACT,
+);
+
+pub(super) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT];
+
+impl Described for PressureSinkage {
+    const SHAPE: Shape = Shape::Tagged(&laws::PRESSURE_SINKAGE);
+}
+
+impl Described for Contact {
+    const SHAPE: Shape = Shape::Tagged(&laws::CONTACT);
+}
+
+/// The parts of a system as far as they could be read.
+pub(super) struct System {
+    pub(super) wheel: Option<Wheel>,
+    pub(super) soil: Option<FoundSoil>,
+    pub(super) contact: Option<Contact>,
+}
+
+impl System {
+    /// The system, if all its parts are there.
+    pub(super) fn whole(&self, braking: Braking) -> Option<WheelOnSoil> {
+        let contact = self.contact?.with_braking(braking);
+        Some(WheelOnSoil { wheel: self.wheel?, soil: self.soil?.soil, contact })
+    }
+}
+
+/// The system.
+pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> System {
+    read_varied(object, None, needs)
+}
+
+/// The system with the laws that `variant` has in place of the soil's own.
+pub(super) fn read_varied(object: &Reader<'_>, variant: Option<&Reader<'_>>, needs: Needs<'_>) -> System {
+    let wheel = read_wheel(object);
+    let soil = object.required(&SOIL).and_then(|own| match variant {
+        Some(variant) => soil::read(&own.overlaid(variant), needs),
+        None => soil::read(&own, needs),
+    });
+    let contact = read_contact(object, soil.as_ref(), needs);
+    System { wheel, soil, contact }
+}
+
+/// The wheel.
+pub(super) fn read_wheel(object: &Reader<'_>) -> Option<Wheel> {
+    object.required(&WHEEL).and_then(|wheel| wheel::read(&wheel))
+}
+
+/// The contact sent, else the one measured with the soil, else the midpoint.
+pub(super) fn read_contact(object: &Reader<'_>, soil: Option<&FoundSoil>, needs: Needs<'_>) -> Option<Contact> {
+    let Some(chosen) = object.chosen(&CONTACT, needs.fitted)? else {
+        return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT));
+    };
+    let params = laws::contact(&chosen)?;
+    Contact::new(params).map_err(|invalid| object.place_of(&CONTACT).fault(invalid)).ok()
+}
