@@ -22,7 +22,7 @@ pub(super) fn line(query: &LinearCase, pace: &Pace) -> Result<FoundLine, Problem
     let LinearCase { setup, observations, law_known } = query;
     let fault = |error: FitError| {
         Problem::Invalid(vec![match error {
-            FitError::Refused { row, error } => FieldFault::new(refusal_pointer(row, &error, &setup.sinkage), &error),
+            FitError::Refused { row, error } => FieldFault::new(refusal_pointer(row, &error, &setup.sinkage), error),
             other => fit_fault(&other, &setup.sinkage),
         }])
     };
