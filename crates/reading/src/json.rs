@@ -15,7 +15,7 @@ const DEEPEST: usize = 12;
 pub const MOST_NODES: usize = 10_000;
 
 /// Fields for which an object has room at first.
-const USUAL_FIELDS: usize = 8;
+const USUAL_FIELDS: usize = 12;
 
 /// Why there is no tree.
 #[derive(Debug)]
@@ -51,11 +51,24 @@ impl std::error::Error for Unread {}
 /// ```
 pub fn json(text: &[u8]) -> Result<Node<'_>, Unread> {
     let text = text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text);
-    let mut deserializer = serde_json::Deserializer::from_slice(text);
     let left = Cell::new(Some(MOST_NODES));
-    let node = Seed { left: &left, depth: DEEPEST, keep: true }.deserialize(&mut deserializer).map_err(Unread::NotJson)?;
-    deserializer.end().map_err(Unread::NotJson)?;
+    let seed = Seed { left: &left, depth: DEEPEST, keep: true };
+    // Looked through at once, the text need not be looked at again name by name; where it is no text, the parser says where.
+    let node = match std::str::from_utf8(text) {
+        Ok(text) => whole(seed, serde_json::Deserializer::from_str(text)),
+        Err(_) => whole(seed, serde_json::Deserializer::from_slice(text)),
+    };
+    let node = node.map_err(Unread::NotJson)?;
     if left.get().is_none() { Err(Unread::TooMuch) } else { Ok(node) }
+}
+
+fn whole<'de, R: serde_json::de::Read<'de>>(
+    seed: Seed<'_>,
+    mut deserializer: serde_json::Deserializer<R>,
+) -> serde_json::Result<Node<'de>> {
+    let node = seed.deserialize(&mut deserializer)?;
+    deserializer.end()?;
+    Ok(node)
 }
 
 /// The tree of a value that a program made.
@@ -136,16 +149,12 @@ impl<'de> Visitor<'de> for Seed<'_> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Node<'de>, A::Error> {
         let mut list = List::default();
         if self.keep && self.depth > 0 {
-            while let Some(item) = items.next_element_seed(Self { depth: self.depth - 1, keep: list.keeps_others(), ..self })? {
-                let is_plain = matches!(item, Node::Number(_) | Node::Null);
-                if is_plain || !list.keeps_others() || self.take() {
-                    list.push(item);
-                }
-            }
+            let inside = Self { depth: self.depth - 1, ..self };
+            while items.next_element_seed(ItemSeed { inside, list: &mut list })?.is_some() {}
         } else {
             while items.next_element::<IgnoredAny>()?.is_some() {}
         }
-        Ok(Node::List(list))
+        Ok(Node::List(Box::new(list)))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Node<'de>, A::Error> {
@@ -162,6 +171,77 @@ impl<'de> Visitor<'de> for Seed<'_> {
             }
         }
         Ok(Node::Object(Fields(fields)))
+    }
+}
+
+/// Reads an item of a list, above all a number, into the list.
+struct ItemSeed<'s, 'l, 'de> {
+    inside: Seed<'s>,
+    list: &'l mut List<'de>,
+}
+
+impl<'de> ItemSeed<'_, '_, 'de> {
+    fn other<E>(self, read: impl FnOnce(Seed<'_>) -> Result<Node<'de>, E>) -> Result<(), E> {
+        let keep = self.list.keeps_others() && self.inside.take();
+        let item = read(Seed { keep, ..self.inside })?;
+        self.list.push(item);
+        Ok(())
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for ItemSeed<'_, '_, 'de> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for ItemSeed<'_, '_, 'de> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.inside.expecting(f)
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<(), E> {
+        self.list.push_number(value);
+        Ok(())
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<(), E> {
+        self.list.push_number(value as f64);
+        Ok(())
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<(), E> {
+        self.list.push_number(value as f64);
+        Ok(())
+    }
+
+    fn visit_unit<E>(self) -> Result<(), E> {
+        self.list.push_number(f64::NAN);
+        Ok(())
+    }
+
+    fn visit_bool<E>(self, value: bool) -> Result<(), E> {
+        self.other(|_| Ok(Node::Flag(value)))
+    }
+
+    fn visit_borrowed_str<E: serde::de::Error>(self, value: &'de str) -> Result<(), E> {
+        self.other(|seed| seed.visit_borrowed_str(value))
+    }
+
+    fn visit_str<E: serde::de::Error>(self, value: &str) -> Result<(), E> {
+        self.other(|seed| seed.visit_str(value))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<(), A::Error> {
+        self.other(|seed| seed.visit_seq(items))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<(), A::Error> {
+        self.other(|seed| seed.visit_map(map))
     }
 }
 

@@ -18,8 +18,8 @@ pub enum Node<'a> {
     Text(Cow<'a, str>),
     /// The text of a query's parameter, which may have been meant as anything.
     Parameter(Cow<'a, str>),
-    /// An array.
-    List(List<'a>),
+    /// An array, apart from the node, so that all nodes are small.
+    List(Box<List<'a>>),
     /// An object.
     Object(Fields<'a>),
 }
@@ -60,6 +60,12 @@ impl Node<'_> {
             _ => None,
         }
     }
+}
+
+/// Whether two names are the same; most that are not differ in their length or their first letter.
+#[inline]
+pub(crate) fn is_same(a: &str, b: &str) -> bool {
+    a.len() == b.len() && a.as_bytes().first() == b.as_bytes().first() && a == b
 }
 
 /// The fields of an object, in their order; a name may be there more than once.
@@ -109,16 +115,21 @@ impl<'a> List<'a> {
     }
 
     pub(crate) fn push(&mut self, item: Node<'a>) {
-        let value = match item {
-            Node::Number(value) => value,
-            Node::Null => f64::NAN,
+        match item {
+            Node::Number(value) => self.push_number(value),
+            Node::Null => self.push_number(f64::NAN),
             other => {
                 if self.keeps_others() {
                     self.others.push((self.numbers.len(), other));
                 }
-                f64::NAN
+                self.push_number(f64::NAN);
             }
-        };
+        }
+    }
+
+    /// Adds a number, or NaN for null.
+    #[inline]
+    pub(crate) fn push_number(&mut self, value: f64) {
         self.numbers.push(value);
     }
 

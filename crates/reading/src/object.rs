@@ -7,7 +7,7 @@ use utoipa::openapi::{RefOr, Schema};
 use crate::fault::{Faults, FieldFault, Scope};
 use crate::field::{Components, Declared, Field, Group, Kind, wrong_type};
 use crate::hints::{Hints, shortened};
-use crate::node::{Fields, Node};
+use crate::node::{Fields, Node, is_same};
 use crate::reader::Reader;
 
 /// An object, as it is declared.
@@ -44,13 +44,13 @@ pub(crate) fn report_oddities(
     fields: &Fields<'_>,
     place: &Scope<'_>,
     unknown: Unknown,
-    known: impl Fn(&str) -> Option<&'static str>,
+    mut known: impl FnMut(&str) -> Option<&'static str>,
     hint: impl Fn(&str) -> String,
 ) {
     let mut told = 0;
     for (i, (name, _)) in fields.0.iter().enumerate() {
         match known(name) {
-            Some(known) if fields.0[..i].iter().any(|(earlier, _)| earlier == known) => {
+            Some(known) if fields.0[..i].iter().any(|(earlier, _)| is_same(earlier, known)) => {
                 place.field(known).fault("is given more than once");
             }
             None if unknown == Unknown::Refused => {
@@ -79,7 +79,17 @@ impl Object {
 
     /// A reader of the fields that stand at `place`.
     pub(crate) fn open<'a>(&self, fields: &'a Fields<'a>, place: Scope<'a>, unknown: Unknown) -> Reader<'a> {
-        let known = |name: &str| self.fields().map(Declared::name).find(|known| *known == name);
+        let known = |name: &str| {
+            for group in self.groups {
+                for field in *group {
+                    let known = field.name();
+                    if is_same(known, name) {
+                        return Some(known);
+                    }
+                }
+            }
+            None
+        };
         let hint = |name: &str| {
             let within: Vec<_> = self.fields().map(|field| (field.name(), field.names_within())).collect();
             place.hints().unknown_field(name, &self.names(), &within)

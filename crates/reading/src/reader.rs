@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::fault::Scope;
 use crate::field::{Field, Kind};
-use crate::node::{Fields, Node};
+use crate::node::{Fields, Node, is_same};
 
 /// An object that was sent, and where it stands.
 ///
@@ -29,8 +29,17 @@ use crate::node::{Fields, Node};
 #[derive(Clone, Copy)]
 pub struct Reader<'a> {
     fields: &'a [(Cow<'a, str>, Node<'a>)],
+    /// The marks of all names, by which most fields that were not sent are told at once.
+    marks: u64,
     place: Scope<'a>,
     over: Option<&'a Reader<'a>>,
+}
+
+/// One of 64 bits, the same for the same name.
+#[inline]
+fn mark(name: &str) -> u64 {
+    let [first, .., last] = name.as_bytes() else { return 1 };
+    1 << ((name.len() * 7 + usize::from(*first) * 3 + usize::from(*last)) % 64)
 }
 
 /// What holds where a field of a kind is left out.
@@ -41,13 +50,14 @@ pub trait Defaulting: Kind {
 
 impl<'a> Reader<'a> {
     pub(crate) fn new(fields: &'a Fields<'a>, place: Scope<'a>) -> Self {
-        Self { fields: &fields.0, place, over: None }
+        let marks = fields.0.iter().fold(0, |marks, (name, _)| marks | mark(name));
+        Self { fields: &fields.0, marks, place, over: None }
     }
 
     /// An object without fields.
     #[must_use]
     pub fn empty(place: Scope<'a>) -> Self {
-        Self { fields: &[], place, over: None }
+        Self { fields: &[], marks: 0, place, over: None }
     }
 
     /// The object in which the fields of `over` take the place of those of the same name; they keep their own places.
@@ -73,7 +83,10 @@ impl<'a> Reader<'a> {
         if let Some(found) = self.over.and_then(|over| over.find(field)) {
             return Some(found);
         }
-        let (_, node) = self.fields.iter().rfind(|(name, _)| name == field.name)?;
+        if self.marks & mark(field.name) == 0 {
+            return None;
+        }
+        let (_, node) = self.fields.iter().rfind(|(name, _)| is_same(name, field.name))?;
         (field.required || !matches!(node, Node::Null)).then_some((self, node))
     }
 

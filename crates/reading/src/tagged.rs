@@ -9,7 +9,7 @@ use utoipa::openapi::{RefOr, Schema};
 use crate::fault::Scope;
 use crate::field::{Components, Field, Kind, parameter, wrong_type};
 use crate::hints::unknown_word;
-use crate::node::{Fields, Node};
+use crate::node::{Fields, Node, is_same};
 use crate::number::Number;
 use crate::object::{Unknown, parameters_within, reference, report_oddities};
 use crate::reader::Reader;
@@ -89,20 +89,37 @@ impl Tagged {
         found
     }
 
+    /// The form that an object chooses, if it does.
+    fn form_of(&self, fields: &Fields<'_>) -> Option<&'static Variant> {
+        let (_, word) = fields.iter().find(|(name, _)| is_same(name, self.tag))?;
+        let word = word.text()?;
+        (self.variants)().iter().find(|variant| is_same(variant.name, word))
+    }
+
     fn knows(&self, name: &str) -> Option<&'static str> {
         if name == self.tag {
             return Some(self.tag);
         }
         let mut names = (self.variants)().iter().flat_map(|variant| variant.fields.iter().map(|field| field.name));
-        names.find(|known| *known == name)
+        names.find(|known| is_same(known, name))
     }
 
     /// Reads the object; where a parameter is absent `otherwise` may have it, by its name.
     pub(crate) fn read_with(&self, node: &Node<'_>, place: Scope<'_>, otherwise: &dyn Fn(&str) -> Option<f64>) -> Option<Chosen> {
         let Node::Object(fields) = node else { return wrong_type(&place, "an object", node) };
         let hint = |name: &str| place.hints().unknown_field(name, &self.all_names(), &[]);
-        report_oddities(fields, &place, Unknown::Refused, |name| self.knows(name), hint);
         let reader = Reader::new(fields, place);
+        // Most names are those of the form that is chosen.
+        let own: &[Field<Number>] = self.form_of(fields).map_or(&[], |variant| &variant.fields);
+        let mut is_foreign = false;
+        let known = |name: &str| match own.iter().find(|field| is_same(field.name, name)) {
+            Some(field) => Some(field.name),
+            None => {
+                is_foreign |= name != self.tag;
+                self.knows(name)
+            }
+        };
+        report_oddities(fields, &place, Unknown::Refused, known, hint);
         let tag = Field::required(self.tag, self.meaning, Tag(self));
         let Some(index) = reader.required(&tag) else {
             // What was sent is checked by its bounds alone.
@@ -112,10 +129,15 @@ impl Tagged {
             return None;
         };
         let variant = &(self.variants)()[index];
-        let values: Vec<Option<Option<f64>>> = variant.fields.iter().map(|field| value(&reader, field, otherwise)).collect();
-        let only_own = report_foreign(fields, &place, variant, self.tag);
-        let values: Option<Vec<Option<f64>>> = values.into_iter().collect();
-        values.filter(|_| only_own).map(|values| Chosen { index, values })
+        let mut is_sound = true;
+        let mut values = Vec::with_capacity(variant.fields.len());
+        for field in variant.fields.iter() {
+            let value = value(&reader, field, otherwise);
+            is_sound &= value.is_some();
+            values.push(value.flatten());
+        }
+        is_sound &= !is_foreign || report_foreign(fields, &place, variant, self.tag);
+        is_sound.then_some(Chosen { index, values })
     }
 
     /// The schema of one form.
@@ -170,7 +192,7 @@ fn value(reader: &Reader<'_>, field: &Field<Number>, otherwise: &dyn Fn(&str) ->
 
 /// Reports the parameters that only other forms have; false where there are any.
 fn report_foreign(fields: &Fields<'_>, place: &Scope<'_>, variant: &Variant, tag: &str) -> bool {
-    let is_own = |name: &str| name == tag || variant.fields.iter().any(|field| field.name == name);
+    let is_own = |name: &str| name == tag || variant.fields.iter().any(|field| is_same(field.name, name));
     let mut only_own = true;
     for (name, _) in fields.iter().filter(|(name, node)| !matches!(node, Node::Null) && !is_own(name)) {
         let takes: Vec<&str> = variant.fields.iter().map(|field| field.name).collect();
@@ -189,10 +211,9 @@ impl Kind for Tag<'_> {
 
     fn read<'a>(&self, node: &'a Node<'a>, place: Scope<'a>) -> Option<usize> {
         let Some(word) = node.text() else { return wrong_type(&place, "a string", node) };
-        let names = self.0.names();
-        let found = names.iter().position(|name| *name == word);
+        let found = (self.0.variants)().iter().position(|variant| variant.name == word);
         if found.is_none() {
-            unknown_word(&place, word, &names);
+            unknown_word(&place, word, &self.0.names());
         }
         found
     }
