@@ -10,7 +10,7 @@ use crate::problem::Problem;
 use crate::server::TooSlow;
 
 /// What a body may have without a share of the budget (bytes): most have less, and get in even where large ones took it all.
-const SMALL: usize = 16 << 10;
+const SMALL: usize = 8 << 10;
 
 /// A body that was read, with its share of the budget.
 pub(crate) struct Text {

@@ -3,7 +3,7 @@
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::process::Command;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use crate::asking::letter;
 use crate::running::{PATIENCE, PROGRAM, Server, TRACK, chunk, long_sweep, message};
