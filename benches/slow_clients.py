@@ -33,18 +33,18 @@ def post(path, body, length=None, media_type="application/json"):
     return head.encode() + body
 
 
-# What is sent at once; seconds between two bytes sent after it; seconds between two bytes read.
+# What is sent at once; seconds between two clients; seconds between two bytes sent after it; seconds between two bytes read.
 SHAPES = {
-    "silent": (b"", None, None),
-    "partial head": (b"GET /healthz HTTP/1.1\r\nHost: te", None, None),
-    "dripping head": (b"GET /healthz HTTP/1.1\r\nHost: te", 1, None),
-    "silent body": (post("/v1/forces", b"", 100_000), None, None),
-    "dripping body": (post("/v1/forces", b" ", 100_000), 1, None),
-    "most of a body": (post("/v1/forces", b" " * 1_000_000, 1_000_001), None, None),
-    "reads nothing of 3 MB": (post("/v1/slip-sweep", SWEEP), None, None),
-    "reads a byte in 5 s": (post("/v1/slip-sweep", SWEEP), None, 5),
-    "pipelines, reads nothing": (get("/v1/wheels/letter") * 2000, None, None),
-    "stream of a byte in 25 s": (post(TRACK, b"time_s,slip\n0,0.1\n", 1_000_000, "text/csv"), 25, None),
+    "silent": (b"", 0, None, None),
+    "partial head": (b"GET /healthz HTTP/1.1\r\nHost: te", 0, None, None),
+    "dripping head": (b"GET /healthz HTTP/1.1\r\nHost: te", 0, 1, None),
+    "silent body": (post("/v1/forces", b"", 100_000), 0, None, None),
+    "dripping body": (post("/v1/forces", b" ", 100_000), 0, 1, None),
+    "most of a body": (post("/v1/forces", b" " * 1_000_000, 1_000_001), 0, None, None),
+    "reads nothing of 3 MB": (post("/v1/slip-sweep", SWEEP), 0.01, None, None),
+    "reads a byte in 5 s": (post("/v1/slip-sweep", SWEEP), 0.01, None, 5),
+    "pipelines, reads nothing": (get("/v1/wheels/letter") * 2000, 0, None, None),
+    "stream of a byte in 25 s": (post(TRACK, b"time_s,slip\n0,0.1\n", 1_000_000, "text/csv"), 0, 25, None),
 }
 
 
@@ -76,13 +76,15 @@ def probe(address, until, results):
 class Clients:
     """Connections of one kind, by their file descriptors."""
 
-    def __init__(self, address, shape, count):
-        self.first, self.every_send, self.every_read = shape
+    def __init__(self, address, shape, count, end, look):
+        self.first, pause, self.every_send, self.every_read = shape
         self.epoll = select.epoll()
         self.open, self.closed, self.due, self.rest, self.most = {}, [], [], {}, 0
         for _ in range(count):
+            if time.monotonic() > end:
+                break
             try:
-                client = socket.create_connection(address, timeout=5)
+                client = socket.create_connection(address, timeout=1)
             except OSError:
                 continue
             client.setblocking(False)
@@ -95,8 +97,9 @@ class Clients:
                 heapq.heappush(self.due, (time.monotonic() + self.every_send, client.fileno(), "send"))
             if self.every_read:
                 heapq.heappush(self.due, (time.monotonic() + self.every_read, client.fileno(), "read"))
-            self.turn(0)
+            self.turn(pause)
             self.most = max(self.most, len(self.open))
+            look()
 
     def turn(self, patience):
         """Sends and reads what is due, and notes what was closed."""
@@ -109,7 +112,7 @@ class Clients:
                 if what == "first":
                     self.rest[number] = self.rest[number][client.send(self.rest[number]) :] if self.rest[number] else b""
                     if self.rest[number]:
-                        heapq.heappush(self.due, (at + 0.2, number, "first"))
+                        heapq.heappush(self.due, (time.monotonic() + 0.2, number, "first"))
                 elif what == "send":
                     client.send(b" ")
                     heapq.heappush(self.due, (at + self.every_send, number, "send"))
@@ -117,7 +120,7 @@ class Clients:
                     client.recv(1)
                     heapq.heappush(self.due, (at + self.every_read, number, "read"))
             except BlockingIOError:
-                heapq.heappush(self.due, (at + 0.5, number, what))
+                heapq.heappush(self.due, (time.monotonic() + 0.5, number, what))
             except OSError:
                 self.close(number)
         for number, _ in self.epoll.poll(patience):
@@ -144,12 +147,16 @@ def run(name, address, pid, count, seconds):
     results = multiprocessing.Queue()
     prober = multiprocessing.Process(target=probe, args=(address, time.monotonic() + seconds, results))
     prober.start()
-    end, before, peak, looked = time.monotonic() + seconds, memory(pid), 0, 0.0
-    clients = Clients(address, SHAPES[name], count)
+    end, before, peak = time.monotonic() + seconds, memory(pid), 0
+
+    def look():
+        nonlocal peak
+        peak = max(peak, memory(pid))
+
+    clients = Clients(address, SHAPES[name], count, end, look)
     while time.monotonic() < end:
         clients.turn(0.05)
-        if time.monotonic() - looked > 0.2:
-            looked, peak = time.monotonic(), max(peak, memory(pid))
+        look()
     taken, failed = results.get(timeout=30)
     prober.join()
     left, closed = len(clients.open), sorted(clients.closed)

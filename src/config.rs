@@ -103,7 +103,7 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_BODY_LIMIT", default_value_t = 1 << 20, value_parser = clap::value_parser!(u32).range(1024..=64 << 20), value_name = "BYTES")]
     pub body_limit: u32,
 
-    /// Bytes of memory for all bodies that arrive, one at the least; beyond that the answer is 503. Bodies up to 16 KiB do not
+    /// Bytes of memory for all bodies that arrive, one at the least; beyond that the answer is 503. Bodies up to 8 KiB do not
     /// count, nor do streams.
     #[arg(long, env = "TERRAMECHANICS_BODY_MEMORY", default_value_t = 32 << 20, value_parser = memory(), value_name = "BYTES")]
     pub body_memory: u64,
@@ -125,8 +125,8 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_STREAM_TIMEOUT", default_value_t = 3600, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "SECONDS")]
     pub stream_timeout: u64,
 
-    /// Connections that may be open at once. One more takes the place of one that waits for a request; where there is none, it
-    /// has one of 16 places of a reserve, where only /healthz, /readyz and /metrics are answered, all else with 503.
+    /// Connections that may be open at once. One more takes the place of one that waits for a request, or for 2 s for more of a
+    /// body or a reader; where there is none, it has one of 16 places of a reserve, where only /healthz, /readyz and /metrics are answered, all else with 503.
     #[arg(long, env = "TERRAMECHANICS_MAX_CONNECTIONS", default_value_t = 1024, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
     pub max_connections: u16,
 

@@ -72,7 +72,6 @@ pub(super) async fn serve(stream: TcpStream, link: Arc<Link>, mut shared: Shared
             }
             std::task::ready!(timer.as_mut().poll(context));
             if let Some(reason) = link.overdue(Instant::now()) {
-                link.close_for(reason); // which the socket has to know before it is closed
                 return Poll::Ready(reason);
             }
         }

@@ -16,6 +16,12 @@ const RESERVE_WAIT: Duration = Duration::from_secs(2);
 /// How long a head that has begun may take to arrive once the server stops.
 const STOP_WAIT: Duration = Duration::from_secs(1);
 
+/// How long a connection may be silent before it gives way to another readily. Who has just come is about to speak.
+const FRESH: Duration = Duration::from_millis(20);
+
+/// How long a client may leave the server waiting in the middle of a body or of an answer, before its connection may give way.
+const HESITATION: Duration = Duration::from_secs(2);
+
 /// How long a client may go on sending what nobody reads, so that it comes to read its answer.
 const LINGER: Duration = Duration::from_secs(2);
 
@@ -37,11 +43,24 @@ struct State {
     phase: Phase,
     /// Of the client, in taking output.
     output: Pace,
+    /// Since when a body is waited for.
+    upload: Option<Instant>,
     /// Whether a body was left before its end.
     is_unread: bool,
     /// Since when the server stops.
     stopping: Option<Instant>,
     reason: Option<Reason>,
+}
+
+/// Why a connection may give way to another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Way {
+    /// It waits for a head, or only to be closed.
+    Idle,
+    /// It neither sends nor takes what it began.
+    Hesitant,
+    /// It waits for a head, but has only just begun to.
+    Fresh,
 }
 
 /// What is awaited.
@@ -63,6 +82,7 @@ impl Link {
         let state = State {
             phase: Phase::Silent { since: Instant::now(), limit },
             output: Pace::new(bounds.slowest_download),
+            upload: None,
             is_unread: false,
             stopping: None,
             reason: None,
@@ -101,12 +121,18 @@ impl Link {
         self.state().reason
     }
 
-    /// Since when nothing is done for the client: no request of it is there, and no answer waits to be taken.
-    pub(super) fn idle_since(&self) -> Option<Instant> {
+    /// How readily the connection gives way to another, the least first; none where the server works for it.
+    pub(super) fn gives_way(&self, now: Instant) -> Option<(Way, Instant)> {
         let state = self.state();
+        let hesitates = |since: Instant| (since + HESITATION <= now).then_some((Way::Hesitant, since));
+        if let Some(since) = state.output.since() {
+            return hesitates(since);
+        }
         match state.phase {
-            Phase::Silent { since, .. } | Phase::Head { silent: since, .. } if state.output.since().is_none() => Some(since),
-            _ => None,
+            Phase::Silent { since, .. } | Phase::Head { silent: since, .. } | Phase::Lingering { since } => {
+                Some((if since + FRESH <= now { Way::Idle } else { Way::Fresh }, since))
+            }
+            Phase::Answer => state.upload.and_then(hesitates),
         }
     }
 
@@ -134,6 +160,11 @@ impl Link {
         self.state().phase = Phase::Silent { since: Instant::now(), limit: self.bounds.keep_alive };
     }
 
+    /// The server waits for more of a body, or no longer.
+    pub(super) fn awaits_body(&self, since: Option<Instant>) {
+        self.state().upload = since;
+    }
+
     /// A body was left before its end.
     pub(super) fn left_unread(&self) {
         self.state().is_unread = true;
@@ -147,6 +178,10 @@ impl Link {
         if waited && let Phase::Silent { since, .. } = &mut state.phase {
             *since = Instant::now(); // the client read until now
         }
+    }
+
+    pub(super) fn output_waits(&self) -> bool {
+        self.state().output.since().is_some()
     }
 
     /// Output waits for the client.

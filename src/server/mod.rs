@@ -70,7 +70,7 @@ pub(crate) enum Reason {
     Stalled,
     /// An answer was taken too slowly.
     SlowReader,
-    /// It waited for a head, and another came.
+    /// It waited for its client, and another came.
     MadeRoom,
     /// All places were taken by requests.
     NoPlace,
@@ -119,11 +119,6 @@ impl Reason {
             Self::NoPlace => "no_place",
         }
     }
-
-    /// Whether output that waits is given up.
-    fn drops_output(self) -> bool {
-        matches!(self, Self::Stalled | Self::SlowReader)
-    }
 }
 
 /// A body that came slower than this.
@@ -141,8 +136,9 @@ impl std::error::Error for TooSlow {}
 /// Pause after a failed accept: mostly there are no file descriptors left, and trying again at once would spin.
 const ACCEPT_PAUSE: Duration = Duration::from_millis(50);
 
-/// Largest head of a request, and output of a connection beyond which nothing more is written (bytes).
-const BUFFER_BYTES: usize = 32 << 10;
+/// Largest head of a request, and output of a connection beyond which nothing more is written (bytes). A body that waits for its
+/// memory holds three times as much.
+const BUFFER_BYTES: usize = 16 << 10;
 
 /// What the system may keep of an answer for each connection (bytes; Linux takes twice as much, for its own needs). It holds
 /// half a megabyte a second at 100 ms of delay. More would only hide how slow a reader is: space is given back in thirds.
@@ -216,7 +212,7 @@ async fn take_until(end: impl Future<Output = ()>, listener: &TcpListener, place
 
 /// Gives a connection a place and a task, or closes it where there is none.
 fn take(stream: TcpStream, peer: Peer, places: &Arc<Places>, shared: &Shared) {
-    let Some(link) = places.admit(peer) else {
+    let Some(link) = places.admit(peer, tokio::time::Instant::now()) else {
         tracing::debug!(%peer, "there was no place for a connection");
         shared.service.metrics().connected();
         return shared.service.metrics().disconnected(Reason::NoPlace);

@@ -1,12 +1,15 @@
 //! Who may be connected: places for all, a limit for each peer, and a reserve.
 //!
 //! A connection that waits for a head gives way to a new one: first those of the peer with the most connections, and of
-//! those the one that has waited longest. So nobody keeps others out by being silent. Where all are busy, the reserve takes
-//! who comes, to answer the questions of operators and to say no to the rest.
+//! those the one that has waited longest. Where there is none, one gives way whose client has stopped in the middle of a body
+//! or of an answer. So nobody keeps others out by being silent. Where all are busy, the reserve takes who comes, to answer
+//! the questions of operators and to say no to the rest.
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use tokio::time::Instant;
 
 use super::link::Link;
 use super::peer::Peer;
@@ -41,22 +44,25 @@ impl Places {
     }
 
     /// A place for a connection of this peer; none where even the reserve is busy.
-    pub(super) fn admit(&self, peer: Peer) -> Option<Arc<Link>> {
+    pub(super) fn admit(&self, peer: Peer, now: Instant) -> Option<Arc<Link>> {
         let mut taken = self.taken();
         let of_peer = taken.by_peer.get(&peer).copied().unwrap_or(0);
         let all = taken.links.len() - taken.in_reserve;
-        let is_admitted = (of_peer < self.bounds.of_one_peer || taken.make_room(|link| !link.is_reserve && link.peer == peer))
-            && (all < self.bounds.connections || of_peer >= self.bounds.of_one_peer || taken.make_room(|link| !link.is_reserve));
-        if is_admitted || taken.in_reserve < RESERVE || taken.make_room(|link| link.is_reserve) {
+        let is_admitted = (of_peer < self.bounds.of_one_peer
+            || taken.make_room(now, |link| !link.is_reserve && link.peer == peer))
+            && (all < self.bounds.connections
+                || of_peer >= self.bounds.of_one_peer
+                || taken.make_room(now, |link| !link.is_reserve));
+        if is_admitted || taken.in_reserve < RESERVE || taken.make_room(now, |link| link.is_reserve) {
             Some(taken.enter(peer, !is_admitted, self.bounds))
         } else {
             None
         }
     }
 
-    /// Ends a connection that waits for a head, if there is one.
+    /// Ends a connection that gives way, if there is one.
     pub(super) fn make_room(&self) -> bool {
-        self.taken().make_room(|_| true)
+        self.taken().make_room(Instant::now(), |_| true)
     }
 
     /// A connection has ended.
@@ -95,11 +101,12 @@ impl Taken {
         }
     }
 
-    /// Ends the connection among these that gives way first, if one of them waits for a head.
-    fn make_room(&mut self, among: impl Fn(&Link) -> bool) -> bool {
+    /// Ends the connection among these that gives way first, if one of them does.
+    fn make_room(&mut self, now: Instant, among: impl Fn(&Link) -> bool) -> bool {
         let waiting = self.links.values().filter(|link| among(link)).filter_map(|link| {
             let of_peer = self.by_peer.get(&link.peer).copied().unwrap_or(0);
-            Some((Reverse(of_peer), link.idle_since()?, link.id))
+            let (way, since) = link.gives_way(now)?;
+            Some((way, Reverse(of_peer), since, link.id))
         });
         let Some((.., id)) = waiting.min() else { return false };
         if let Some(link) = self.links.get(&id) {
@@ -112,16 +119,23 @@ impl Taken {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
 
     const BOUNDS: Bounds = Bounds { connections: 4, of_one_peer: 3, ..Bounds::DEFAULT };
+
+    /// When those who have come are no longer new.
+    fn soon() -> Instant {
+        Instant::now() + Duration::from_secs(1)
+    }
 
     fn peer(last: u32) -> Peer {
         Peer::V4(last)
     }
 
     fn enter(places: &Places, number: u32) -> Arc<Link> {
-        places.admit(peer(number)).expect("a place")
+        places.admit(peer(number), soon()).expect("a place")
     }
 
     #[test]
@@ -144,6 +158,35 @@ mod tests {
         assert!(!more.is_reserve && two[2].reason() == Some(Reason::MadeRoom));
         assert!(two[0].reason().is_none() && two[1].reason().is_none());
         assert_eq!(places.busy(), 2);
+    }
+
+    #[test]
+    fn who_has_just_come_gives_way_last() {
+        let now = Instant::now(); // before all of them, so that none is old
+        let places = Places::new(Bounds { connections: 2, of_one_peer: 2, ..BOUNDS });
+        let (slow, fresh) = (enter(&places, 1), enter(&places, 1));
+        slow.asked();
+        slow.awaits_body(now.checked_sub(Duration::from_secs(60)));
+        places.admit(peer(1), now).expect("the place of the slow one").asked();
+        assert!(slow.reason() == Some(Reason::MadeRoom) && fresh.reason().is_none());
+        assert!(places.admit(peer(1), now).is_some_and(|link| !link.is_reserve));
+        assert_eq!(fresh.reason(), Some(Reason::MadeRoom));
+    }
+
+    #[test]
+    fn who_stops_in_the_middle_gives_way_after_the_idle() {
+        let places = Places::new(Bounds { connections: 2, ..BOUNDS });
+        let (slow, idle) = (enter(&places, 1), enter(&places, 2));
+        slow.asked();
+        slow.awaits_body(Some(Instant::now()));
+        assert!(places.admit(peer(3), Instant::now() + Duration::from_secs(60)).is_some_and(|link| !link.is_reserve));
+        assert!(idle.reason() == Some(Reason::MadeRoom) && slow.reason().is_none());
+        for link in places.taken().links.values() {
+            link.asked();
+        }
+        assert!(enter(&places, 4).is_reserve, "one second is no hesitation");
+        assert!(places.admit(peer(5), Instant::now() + Duration::from_secs(60)).is_some_and(|link| !link.is_reserve));
+        assert_eq!(slow.reason(), Some(Reason::MadeRoom));
     }
 
     #[test]
@@ -170,7 +213,7 @@ mod tests {
             link.asked();
         }
         enter(&places, 9).asked();
-        assert!(places.admit(peer(9)).is_none());
+        assert!(places.admit(peer(9), soon()).is_none());
         places.leave(&reserve[5]);
         assert!(enter(&places, 9).is_reserve);
     }

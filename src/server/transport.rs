@@ -85,8 +85,8 @@ impl AsyncWrite for Transport {
 
 impl Drop for Transport {
     fn drop(&mut self) {
-        if self.link.reason().is_some_and(super::Reason::drops_output) {
-            // Otherwise the system would keep what nobody takes.
+        if self.link.output_waits() {
+            // Nobody takes it, and the system would keep what it has of it.
             let _ = self.stream.set_zero_linger();
         }
     }

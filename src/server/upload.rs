@@ -28,7 +28,10 @@ impl Upload {
 
     /// Whether the client is too slow, which its body waits to find out.
     fn poll_too_slow(&mut self, context: &mut Context<'_>) -> Poll<()> {
-        self.pace.wait(Instant::now);
+        if self.pace.since().is_none() {
+            self.pace.wait(Instant::now);
+            self.link.awaits_body(self.pace.since());
+        }
         while let Some(judged) = self.pace.judged_at() {
             let timer = self.timer.get_or_insert_with(|| Box::pin(sleep_until(judged)));
             if timer.deadline() != judged {
@@ -55,6 +58,9 @@ impl HttpBody for Upload {
                 Poll::Ready(Some(Err(TooSlow(self.link.bounds().slowest_upload).into())))
             }
             Poll::Ready(frame) => {
+                if self.pace.since().is_some() {
+                    self.link.awaits_body(None);
+                }
                 let bytes = frame.as_ref().and_then(|frame| frame.as_ref().ok()?.data_ref().map(Bytes::len)).unwrap_or(0);
                 self.pace.moved(bytes, Instant::now);
                 self.is_complete |= frame.is_none() || self.body.is_end_stream();
@@ -74,6 +80,7 @@ impl HttpBody for Upload {
 
 impl Drop for Upload {
     fn drop(&mut self) {
+        self.link.awaits_body(None);
         if !self.is_complete {
             self.link.left_unread();
         }
