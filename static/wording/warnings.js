@@ -2,7 +2,7 @@
 // page; what that means and what to do is the API's sentence.
 
 import { capitalised } from "../numbers/format.js";
-import { fieldAt } from "../quantities/fields.js";
+import { fieldAt, fieldNamed } from "../quantities/fields.js";
 import { MEASURED } from "../quantities/measured.js";
 import { PARAMETERS, fieldOf, valueText } from "../quantities/parameters.js";
 import { quantity } from "../quantities/results.js";
@@ -28,7 +28,15 @@ const SHOWN_DIGITS = 4;
  * The units of the page for those of the API.
  * @type {Record<string, Unit>}
  */
-const UNITS = { m: MILLIMETRE, Pa: KILOPASCAL, rad: DEGREE, N: NEWTON, "Pa/m^N": MODULUS, 1: ONE };
+const UNITS = {
+  m: MILLIMETRE, Pa: KILOPASCAL, rad: DEGREE, N: NEWTON, 1: ONE,
+  "Pa/m^N": MODULUS,
+  "Pa/m^n": fieldNamed("k_s").unit,
+  "N/m^(n+1)": fieldNamed("bekker_k_c").unit,
+  "N/m^(n+2)": fieldNamed("bekker_k_phi").unit,
+  "N/m^(n+m+2)": fieldNamed("diameter_k").unit,
+  "N/m3": fieldNamed("unit_weight").unit,
+};
 
 /** @param {Warning} warning */
 const unitOf = ({ quantity: name, unit = "" }) => (name === "slip" ? PERCENT : UNITS[unit]);
@@ -51,24 +59,23 @@ function behind(text, mark, words) {
 }
 
 /**
- * What the API calls so stands elsewhere on the page.
+ * Names of the API that are none of a parameter or of a quantity in the table of measurements.
  * @type {Record<string, string>}
  */
-const PLACES = { identifiability: "the table" };
+const OTHER_NAMES = { normal_load_n: "normal force", identifiability: "the table" };
 
 /**
  * The sentence with the names that it quotes as the page has them. Names that the page does not have stay as they are.
  * @param {string} text
  */
 const named = (text) => text.replace(/`([^`]*)`/g, (quoted, name) =>
-  PARAMETERS[name]?.field.label.toLowerCase() ?? MEASURED[name]?.label.toLowerCase() ?? PLACES[name] ?? quoted);
+  PARAMETERS[name]?.field.label.toLowerCase() ?? MEASURED[name]?.label.toLowerCase() ?? OTHER_NAMES[name] ?? quoted);
 
 /**
  * A value of the wheel or the soil that the catalogue does not come near, or one out of the range that a law was tested in.
  * @param {Warning} warning
- * @param {boolean} isWorst whether the value is the one furthest out of several
  */
-function rangeText(warning, isWorst) {
+function rangeText(warning) {
   const said = withoutPlace(warning);
   const { code, quantity: name = "", value, range } = warning;
   const unit = unitOf(warning);
@@ -81,7 +88,9 @@ function rangeText(warning, isWorst) {
   if (code === "outside_catalogue") {
     return `${is}, far ${isBelow ? "below the smallest" : "above the largest"} value of the catalogue, ${shown(end, unit)}. Check its unit.`;
   }
-  return behind(said, ` (${source})`, `${is}${isWorst ? " at worst" : ""}, ${isBelow ? "below" : "above"} ${shown(end, unit)}`);
+  // Whether the value is one of several that differ is no data of its own.
+  const worst = said.includes(" at worst, ") ? " at worst" : "";
+  return behind(said, ` (${source})`, `${is}${worst}, ${isBelow ? "below" : "above"} ${shown(end, unit)}`);
 }
 
 /**
@@ -100,11 +109,7 @@ function unsolvedText(warning) {
  * What a warning about operating points says.
  * @param {Warning} warning
  */
-const pointText = (warning) => {
-  // A field of the request has one value at all rows.
-  const isWorst = (warning.count ?? 0) > 1 && !warning.pointer;
-  return warning.code === "no_solution" ? unsolvedText(warning) : rangeText(warning, isWorst);
-};
+const pointText = (warning) => (warning.code === "no_solution" ? unsolvedText(warning) : rangeText(warning));
 
 /**
  * @param {string} place
@@ -188,7 +193,7 @@ function fitText(warning, law) {
   const { code, detail, quantity: name = "", value, range } = warning;
   if (value === undefined) return detail;
   if (code === "column_missed" && MEASURED[name]) return behind(detail, " (rms)", `${MEASURED[name].label} is off by ${quantity(name, value)}`);
-  if (!PARAMETERS[name]) return rangeText(warning, false);
+  if (!PARAMETERS[name]) return rangeText(warning);
   const field = fieldOf(name, law);
   const is = `${field.label} is ${valueText(field, value)}`;
   switch (code) {
