@@ -68,7 +68,7 @@ check("a track with velocities is followed on demand, drawn over time, and gives
   const counts = await page.$$eval("[data-status]", (items) => Object.fromEntries(items.map(({ dataset }) => [dataset.status, Number(dataset.count)])));
   assert.deepEqual(counts, { ok: SLIPS.length - 1, missing_value: 1 });
   assert.deepEqual(await page.$$eval("#track-warnings [data-warning]", (items) => items.map(({ dataset }) => dataset.warning)), warnings.map(({ code }) => code));
-  assert.match(await page.innerText("#track-warnings"), new RegExp(`at line ${LOST_ROW + 2} of the file`));
+  assert.match(await page.innerText("#track-warnings"), new RegExp(`At line ${LOST_ROW + 2} of the file: no result`));
 
   assert.equal(await pointsIn(page, "#torque-chart"), SLIPS.length - 1, "the points have the slip of the track");
   assert.ok(await page.isVisible("#identification"));

@@ -102,15 +102,19 @@ check("a chosen set shows its points, curves, source and note", async (page) => 
 
 check("what is to be said of a set is said once, with the names of the charts", async (page) => {
   await openSection(page);
-  const said = () => page.$$eval("#validation-set [data-warning]", (found) => found.map(({ dataset, textContent }) => ({ code: dataset.warning, text: textContent })));
+  const said = () => page.$$eval("#validation-set [data-warning]", (found) => found.map(({ dataset, textContent }) => ({ code: dataset.warning, text: textContent.replaceAll("\u00a0", " ") })));
+  const slipsOf = async (id) => (await setsOfService()).find((set) => set.id === id).columns.slip.map((slip) => `${Number((100 * slip).toPrecision(3))} %`.replace("-", "\u2212"));
   await choose(page, "ding-2011-smooth");
   assert.equal((await said()).filter(({ code }) => code === "small_wheel").length, 1);
   await choose(page, "cmu-smooth-braking");
   const braking = await said();
   assert.equal(new Set(braking.map(({ text }) => text)).size, braking.length);
-  assert.ok(braking.some(({ text }) => text.startsWith("Quadrature, two zones: no solution at indices 0;")), JSON.stringify(braking));
+  const [first] = await slipsOf("cmu-smooth-braking");
+  assert.ok(braking.some(({ text }) => text.startsWith(`Quadrature, two zones, at slip ${first}: no solution`)), JSON.stringify(braking));
   await choose(page, "cmu-smooth-side-30");
-  assert.ok((await said()).some(({ text }) => text.startsWith("Coupled, full; Coupled, mobilised: no solution at indices 0–1;")));
+  const [from, to] = await slipsOf("cmu-smooth-side-30");
+  const sideways = await said();
+  assert.ok(sideways.some(({ text }) => text.startsWith(`Coupled, full; Coupled, mobilised, at slip ${from} to ${to}: no solution`)), JSON.stringify(sideways));
 });
 
 check("the section fits on a narrow screen", async (page) => {

@@ -8,7 +8,8 @@ import { PARAMETERS, fieldOf, valueText } from "../quantities/parameters.js";
 import { methodName, quantity } from "../quantities/results.js";
 import { showWarnings } from "../results/warnings.js";
 import { SOIL_FIELDS, foundValue } from "../state/found-soil.js";
-import { fitWarning, identifiabilityText } from "../wording/wording.js";
+import { fitWarning } from "../wording/warnings.js";
+import { identifiabilityText } from "../wording/wording.js";
 import { showResiduals } from "./residuals.js";
 
 /** @import { FitParameter, Identification, ParameterEstimate } from "../api/types.js" */

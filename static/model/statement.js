@@ -63,7 +63,7 @@ const sections = (model) => [
   ["errata", "Errata of the letter", statementTable("errata", ["No.", "As printed", "As computed", "Reason"], model.errata.map(({ number, printed, computed, reason }) =>
     ({ attributes: { id: `erratum-${number}`, tabindex: "-1" }, cells: [[String(number)], maths(printed), maths(computed), maths(reason)] })))],
   ["refusals", "What is refused", list(model.refusals)],
-  ["warnings", "Warnings", statementTable("warning-codes", ["Code", "Meaning"], model.warnings.map(({ code, meaning }) =>
+  ["warnings", "Warnings", statementTable("warning-codes", ["Code", "Meaning"], (model.warnings ?? []).map(({ code, meaning }) =>
     ({ cells: [[html("code", {}, code)], maths(meaning)] })))],
   ["references", "References", list(model.references)],
 ];

@@ -1,9 +1,9 @@
 // The warnings of a round, by the part of the page that they are about.
 
 import { METHOD_NAMES } from "../quantities/results.js";
-import { resultWarning, sweepWarning } from "../wording/wording.js";
+import { resultWarning, sweepWarning } from "../wording/warnings.js";
 
-/** @import { WarningWords } from "../wording/wording.js" */
+/** @import { WarningWords } from "../wording/warnings.js" */
 /** @import { Outcomes } from "./outcomes.js" */
 
 /** @typedef {{ code: string, text: string, methods: string[] }} ShownWarning with the names of the methods it came with */

@@ -8,7 +8,7 @@ import { showWarnings } from "../results/warnings.js";
 import { UNREADABLE_INPUTS, createSearch, onSubmit } from "../search/search.js";
 import { connectFile } from "../share/share.js";
 import { trackRequest } from "../state/measured-bodies.js";
-import { trackWarning } from "../wording/wording.js";
+import { trackWarning } from "../wording/warnings.js";
 import { TRACK_CHARTS, trackSpec } from "./figures.js";
 import { fillTrackForm } from "./form.js";
 import { eventTable, statusCounts, termsOf } from "./words.js";

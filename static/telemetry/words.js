@@ -6,6 +6,7 @@ import { seconds } from "../numbers/format.js";
 import { MEASURED } from "../quantities/measured.js";
 import { quantity } from "../quantities/results.js";
 import { trackRequest } from "../state/measured-bodies.js";
+import { listed } from "../wording/places.js";
 
 /** @import { TrackColumns, TrackEvent } from "../api/types.js" */
 /** @import { SinkageSource } from "../state/measured-bodies.js" */
@@ -21,9 +22,6 @@ const STATUS_NAMES = {
 };
 /** @type {Record<string, string>} */
 const SENT_NAMES = { normal_load_n: "normal force" };
-
-/** @param {string[]} words */
-const and = (words) => (words.length > 1 ? `${words.slice(0, -1).join(", ")} and ${words.at(-1)}` : words.join(""));
 
 /**
  * Where the sinkage of a sample comes from.
@@ -46,7 +44,7 @@ function sinkageTerms(source, { given }) {
  */
 export function termsOf(settings, track) {
   const { sinkageFrom } = trackRequest(settings, track);
-  const sent = and(Object.keys(track).map((name) => SENT_NAMES[name] ?? MEASURED[name].label.toLowerCase()));
+  const sent = listed(Object.keys(track).map((name) => SENT_NAMES[name] ?? MEASURED[name].label.toLowerCase()));
   return `${track.time_s?.length ?? 0} rows of ${sent} are sent, with the wheel, the soil and the method of this page, straight ahead. ${
     sinkageTerms(sinkageFrom, settings)}`;
 }

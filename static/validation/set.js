@@ -5,7 +5,7 @@ import { sentenceHtml } from "../dom/text.js";
 import { inPercent, slipAxis, withMargin } from "../figures/slip-axis.js";
 import { columnOf, scaled } from "../numbers/columns.js";
 import { QUANTITIES, quantity } from "../quantities/results.js";
-import { predictionWarning } from "../wording/wording.js";
+import { predictionWarning } from "../wording/warnings.js";
 import { seriesNames } from "./sets.js";
 
 /** @import { ValidationSet } from "../api/types.js" */
@@ -34,7 +34,7 @@ export function describedSet(set) {
     ...(fitted ? [html("p", { class: "fitted" }, `Fitted: ${fitted}`)] : []),
     ...(note ? [html("p", { class: "note" }, ...sentenceHtml(note))] : []),
     ...warnings.map((warning) =>
-      html("p", { class: "note", "data-warning": warning.code }, ...sentenceHtml(predictionWarning(warning, seriesNames(set))))),
+      html("p", { class: "note", "data-warning": warning.code }, ...sentenceHtml(predictionWarning(warning, seriesNames(set), set.columns.slip)))),
   ];
 }
 

@@ -1,5 +1,5 @@
-// The sentences of the API, read for what it does not give as data, and put into the units and names of the page. Only wording.js
-// knows this file.
+// The sentences of faults and estimates, read for what the API does not give as data, and put into the units and names of the page.
+// Only its folder knows this file.
 
 import { MEASURED } from "../quantities/measured.js";
 import { PARAMETERS } from "../quantities/parameters.js";
@@ -80,60 +80,9 @@ export function rangeIn(demand) {
   return { minimum, maximum, value };
 }
 
-/**
- * The sentence with each stretch of rows replaced. The API counts rows from 0.
- * @param {string} detail
- * @param {(rows: string) => string} replaced takes rows such as "3, 5–9"
- */
-export const withRows = (detail, replaced) => detail.replace(/at ind(?:ex|ices) ([\d–, ]*\d)/, (_, rows) => replaced(rows));
-
-/**
- * @param {string} rows
- * @param {(row: number) => string} replaced
- */
-export const eachRow = (rows, replaced) => rows.replace(/\d+/g, (row) => replaced(Number(row)));
-
-/** @param {string} rows */
-export const areSeveral = (rows) => /[–,]/.test(rows);
-
-/**
- * The sentence with the slip and the field of a first row replaced.
- * @param {string} detail
- * @param {(slip: number, pointer: string) => string} replaced
- */
-export const withFirstRow = (detail, replaced) =>
-  detail.replace(/at slip (-?\d+\.\d+), field (\/[\w/]+):/, (_, slip, pointer) => `${replaced(Number(slip), pointer)}:`);
-
-/**
- * What a warning about some rows says of the one that is furthest out.
- * @param {string} detail
- */
-export const withoutRows = (detail) => detail.replace(/^at ind(?:ex|ices) [^;]*; furthest out: /, "");
-
-/**
- * The series that stand before a sentence, and the rest of it. Without series at its head, the sentence is the rest.
- * @param {string} detail
- * @param {Record<string, string>} names the known series
- * @returns {{ series: string[], rest: string }}
- */
-export function seriesIn(detail, names) {
-  const end = detail.indexOf(": ");
-  const series = detail.slice(0, Math.max(0, end)).split(", ");
-  return series.every((name) => Object.hasOwn(names, name)) ? { series, rest: detail.slice(end + 2) } : { series: [], rest: detail };
-}
-
 const FOUND_NUMBER = String.raw`-?\d+(?:\.\d+)?(?:e[+-]?\d+)?`;
-const AT_BOUND = new RegExp(`^(\\w+)( lies at its \\w+ bound )(${FOUND_NUMBER})$`);
-const HALF_WIDTH = new RegExp(`(?<=± )${FOUND_NUMBER}(?= \\()`);
+const HALF_WIDTH = new RegExp(`(?<=± |, by )${FOUND_NUMBER}(?= \\()`);
 const OTHER_VALUE = new RegExp(`(?<=: )${FOUND_NUMBER}(?= explains)`);
-
-/**
- * The sentence with the bound at which an estimate lies (SI) replaced.
- * @param {string} detail
- * @param {(parameter: string, bound: number) => string} replaced
- */
-export const withBound = (detail, replaced) =>
-  detail.replace(AT_BOUND, (_, parameter, words, bound) => `${parameter}${words}${replaced(parameter, Number(bound))}`);
 
 /**
  * What is known of an estimate, with its numbers (SI) replaced. The interval of one that is determined has a column of its own.

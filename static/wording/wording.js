@@ -1,12 +1,9 @@
-// The words for warnings and faults of the API. They are made from its data; where it gives none, from its sentence.
+// The words for faults of the API and for its estimates. They are made from its data; where it gives none, from its sentence.
 
-import { fixed } from "../numbers/format.js";
-import { fieldAt } from "../quantities/fields.js";
-import { fieldOf, valueText } from "../quantities/parameters.js";
-import { METHOD_NAMES } from "../quantities/results.js";
+import { valueText } from "../quantities/parameters.js";
 import * as sentences from "./sentences.js";
 
-/** @import { FieldFault, Method, Warning } from "../api/types.js" */
+/** @import { FieldFault } from "../api/types.js" */
 /** @import { Field } from "../quantities/fields.js" */
 /** @import { Unit } from "../quantities/units.js" */
 
@@ -16,15 +13,6 @@ import * as sentences from "./sentences.js";
  */
 
 /** @typedef {{ value: number, minimum: number, maximum: number }} LeftRange */
-
-/**
- * A warning in words. `gist` is the same for warnings that say the same of a point and of a curve.
- * @typedef {object} WarningWords
- * @property {string} code
- * @property {string} text
- * @property {string} gist
- * @property {Method[]} methods those it names
- */
 
 /**
  * @param {Fault} fault
@@ -78,70 +66,9 @@ export const faultSentence = (fault, subject) => about(subject, sentences.named(
 export const about = (subject, text) => (subject ? `${subject}${sentences.beginsWithVerb(text) ? "" : ":"} ${text}` : text);
 
 /**
- * A warning about a single result.
- * @param {Warning} warning
- * @returns {WarningWords}
- */
-export function resultWarning({ code, detail }) {
-  const text = sentences.inPageUnits(detail);
-  return { code, text, gist: `${code} ${text}`, methods: [] };
-}
-
-/** @param {number} slip */
-const slipText = (slip) => `${fixed(slip * 100, 0)}\u00a0%`;
-
-/** @param {string} pointer */
-const labelAt = (pointer) => fieldAt(pointer)?.label.toLowerCase() ?? pointer;
-
-/**
- * A warning about points of a sweep. They are told by their slips, as the charts have no rows, and fields by their labels.
- * @param {Warning} warning
- * @param {readonly number[]} slips of the rows
- * @returns {WarningWords}
- */
-export function sweepWarning({ code, detail }, slips) {
-  const { series, rest } = sentences.seriesIn(detail, METHOD_NAMES);
-  const told = sentences.inPageUnits(rest);
-  const atSlips = sentences.withRows(told, (rows) => `at slip ${sentences.eachRow(rows, (row) => slipText(slips[row])).replaceAll("–", " to ")}`);
-  const text = sentences.withFirstRow(atSlips, (slip, pointer) => `at ${slipText(slip)}, ${labelAt(pointer)}`);
-  return { code, text, gist: `${code} ${sentences.withoutRows(told)}`, methods: /** @type {Method[]} */ (series) };
-}
-
-/**
- * A warning about samples of a track. They are told by their lines of the file.
- * @param {Warning} warning
- * @param {readonly number[]} lines of the rows
- */
-export function trackWarning({ detail }, lines) {
-  const told = sentences.inPageUnits(detail).replace("give `normal_load_n`", "choose “Normal load” at the operating point");
-  return sentences.named(sentences.withRows(told, (rows) =>
-    `at ${sentences.areSeveral(rows) ? "lines" : "line"} ${sentences.eachRow(rows, (row) => String(lines[row]))} of the file`));
-}
-
-/**
- * A warning about a fit. What the API calls a field of its answer is a column of the page's table.
- * @param {Warning} warning
- * @param {string} law of pressure and sinkage
- */
-export function fitWarning({ detail }, law) {
-  const withBound = sentences.withBound(detail, (parameter, bound) => valueText(fieldOf(parameter, law), bound));
-  return sentences.named(sentences.inPageUnits(withBound).replace("see each one's `identifiability`", "the table says why of each"));
-}
-
-/**
  * What is known of an estimate.
  * @param {string} identifiability
  * @param {Field} field
  */
 export const identifiabilityText = (identifiability, field) =>
   sentences.named(sentences.withOwnNumbers(identifiability, (value) => valueText(field, value)));
-
-/**
- * A warning about predictions, with the names that the charts give the series.
- * @param {Warning} warning
- * @param {Record<string, string>} names of the series
- */
-export function predictionWarning({ detail }, names) {
-  const { series, rest } = sentences.seriesIn(detail, names);
-  return series.length ? `${series.map((name) => names[name]).join("; ")}: ${rest}` : detail;
-}

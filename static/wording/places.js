@@ -1,0 +1,60 @@
+// Where a warning holds, in words.
+
+import { withUnit } from "../numbers/format.js";
+
+/** @import { Warning } from "../api/types.js" */
+
+/** @param {string[]} words */
+export const listed = (words) => (words.length > 1 ? `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}` : words.join(""));
+
+/**
+ * How many rows a warning holds for beyond those that it names.
+ * @param {Warning} warning
+ */
+const unnamed = ({ rows = [], count = 0 }) => count - rows.reduce((sum, [first, last]) => sum + last - first + 1, 0);
+
+/**
+ * @param {Warning} warning
+ * @param {(row: number) => string} named
+ */
+const stretches = ({ rows = [] }, named) => listed(rows.map(([first, last]) => (first === last ? named(first) : `${named(first)} to ${named(last)}`)));
+
+/** @param {Warning} warning */
+function others(warning) {
+  const count = unnamed(warning);
+  return count > 0 ? ` and at ${count} ${count === 1 ? "other" : "others"}` : "";
+}
+
+/** @param {number} slip */
+const slipText = (slip) => withUnit(String(Number((slip * 100).toPrecision(3))).replace("-", "\u2212"), "%");
+
+/**
+ * Points over slip are told by their slips, as the charts have no rows; empty where the warning holds for all.
+ * @param {Warning} warning
+ * @param {readonly number[]} slips of the rows
+ */
+export const atSlips = (warning, slips) => (warning.rows ? `at slip ${stretches(warning, (row) => slipText(slips[row]))}${others(warning)}` : "");
+
+/**
+ * Samples of a track are told by their lines of the file; empty where the warning holds for all.
+ * @param {Warning} warning
+ * @param {readonly number[]} lines of the rows
+ */
+export function atLines(warning, lines) {
+  const { rows } = warning;
+  if (!rows) return "";
+  const isOne = rows.length === 1 && rows[0][0] === rows[0][1];
+  return `at ${isOne ? "line" : "lines"} ${stretches(warning, (row) => String(lines[row]))} of the file${others(warning)}`;
+}
+
+/**
+ * What a warning says, without the series and rows that the API puts before it. A colon closes them; where the API cuts a list of
+ * rows, another one opens it.
+ * @param {Warning} warning
+ */
+export function withoutPlace(warning) {
+  const { detail, rows, series = [] } = warning;
+  if (!rows && !series.length) return detail;
+  const isCut = (rows?.length ?? 0) > 1 && unnamed(warning) > 0;
+  return detail.split(": ").slice(isCut ? 2 : 1).join(": ");
+}
