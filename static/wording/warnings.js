@@ -84,7 +84,7 @@ function rangeText(warning) {
   const isBelow = typeof lower === "number" && value < lower;
   const end = isBelow ? lower : upper;
   if (typeof end !== "number") return said;
-  const is = `${name} is ${shown(value, unit)}`;
+  const is = `${PARAMETERS[name]?.field.label.toLowerCase() ?? name} is ${shown(value, unit)}`;
   if (code === "outside_catalogue") {
     return `${is}, far ${isBelow ? "below the smallest" : "above the largest"} value of the catalogue, ${shown(end, unit)}. Check its unit.`;
   }
@@ -193,7 +193,7 @@ function fitText(warning, law) {
   const { code, detail, quantity: name = "", value, range } = warning;
   if (value === undefined) return detail;
   if (code === "column_missed" && MEASURED[name]) return behind(detail, " (rms)", `${MEASURED[name].label} is off by ${quantity(name, value)}`);
-  if (!PARAMETERS[name]) return rangeText(warning);
+  if (code === "outside_catalogue" || !PARAMETERS[name]) return rangeText(warning);
   const field = fieldOf(name, law);
   const is = `${field.label} is ${valueText(field, value)}`;
   switch (code) {

@@ -9,6 +9,7 @@ mod contract;
 mod coupled;
 mod curves;
 mod documents;
+mod faults;
 mod forces;
 mod heavy;
 mod http1;
