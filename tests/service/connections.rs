@@ -5,7 +5,8 @@ use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
 use crate::asking::letter;
-use crate::running::{PATIENCE, Server, TRACK, chunk, long_sweep, message, rest_of, sweep, track_head};
+use crate::heavy::stiff;
+use crate::running::{PATIENCE, Server, TRACK, chunk, message, rest_of, sweep, track_head};
 
 fn closed(reason: &str) -> String {
     format!("http_connections_closed_total{{reason=\"{reason}\"}}")
@@ -153,7 +154,8 @@ fn operators_are_answered_while_all_places_are_busy() {
     let server = Server::start(&["--max-connections", "1"]);
     let mut busy = server.connect();
     // Until it is asked for its body, it might be silent and give way.
-    let request = message("/v1/slip-sweep", Some(&long_sweep()), true).replace("Host", "Expect: 100-continue\r\nHost");
+    let request =
+        message("/v1/slip-sweep", Some(&stiff(10_001).to_string()), true).replace("Host", "Expect: 100-continue\r\nHost");
     let (head, body) = request.split_once("\r\n\r\n").expect("a head and a body");
     busy.write_all(format!("{head}\r\n\r\n").as_bytes()).expect("sent");
     busy.read_exact(&mut [0; 12]).expect("100 Continue");

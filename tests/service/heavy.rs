@@ -11,7 +11,7 @@ use crate::running::{PATIENCE, Server, message};
 
 /// A contact so stiff that one load balance, which fails, takes some milliseconds: nearly every pressure is reached at once, and shear
 /// within micrometres. A random search over requests found it.
-fn stiff(points: usize) -> Value {
+pub(crate) fn stiff(points: usize) -> Value {
     json!({
         "wheel": {"radius_m": 0.0707, "width_m": 0.0133, "lug_height_m": 0.00274, "lug_coefficient": 0.958},
         "soil": {
