@@ -33,9 +33,9 @@ client = Client(server)
 check(answer)
 
 # The sand spelled out, with one of the laws and the rules that the contract offers.
-law = models.PressureSinkageBekker(law=models.PressureSinkageBekkerLaw.BEKKER, k_c=-660, k_phi=754130, n0=0.91)
+law = models.BekkerLaw(law=models.BekkerLawLaw.BEKKER, k_c=-660, k_phi=754130, n0=0.91)
 sand = Soil(cohesion_pa=0, friction_angle_rad=0.478, shear_modulus_m=0.005, pressure_sinkage=law)
-midpoint = models.ContactMidpoint(rule=models.ContactMidpointRule.MIDPOINT)
+midpoint = models.MidpointContact(rule=models.MidpointContactRule.MIDPOINT)
 request = ForcesRequest(
     wheel=Wheel(radius_m=0.2, width_m=0.1), soil=sand, contact=midpoint, slip=0.2, sinkage_m=0.02
 )

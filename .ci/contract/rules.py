@@ -65,7 +65,7 @@ def before_load_schema(context, raw_schema):
     with_modulus = requiring(soil, [*fields, "shear_modulus_m"], without=["preset"])
     without_modulus = requiring(soil, [*fields, "shear"], without=["preset", "shear_modulus_m"])
     without_modulus["properties"]["shear"] = one_of(
-        law for law in shear["oneOf"] if law["properties"]["law"]["enum"] != ["janosi_hanamoto"]
+        law for law in shear["oneOf"] if law["$ref"] != "#/components/schemas/JanosiHanamotoShear"
     )
     schemas["Soil"] = one_of([requiring(soil, ["preset"]), with_modulus, without_modulus])
     measurements(schemas)
