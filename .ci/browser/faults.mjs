@@ -145,7 +145,7 @@ check("a value out of its range is told the range", async (page) => {
 
 check("a range that comes as data is told in the unit of the box", async (page) => {
   await open(page);
-  const fault = { pointer: "/wheel/radius_m", detail: "a sentence of the check", value: 0.0005, minimum: 0.001, maximum: 100 };
+  const fault = { pointer: "/wheel/radius_m", detail: "must be from 1 to 2, not 3", value: 0.0005, minimum: 0.001, maximum: 100 };
   const json = { type: "about:blank", title: "refused", status: 422, detail: "refused", errors: [fault] };
   await page.route(/\/v1\/(forces|slip-sweep|stress-profile)$/, (route) => route.fulfill({ status: 422, json }));
   await box(page, "radius").fill("0.5");

@@ -15,12 +15,15 @@ import * as sentences from "./sentences.js";
 /** @typedef {{ value: number, minimum: number, maximum: number }} LeftRange */
 
 /**
+ * The range, where it is all that the sentence says: one that names what the bound follows from is told as it stands.
  * @param {Fault} fault
  * @param {string} demand
  * @returns {LeftRange | null}
  */
 const leftRange = ({ value, minimum, maximum }, demand) =>
-  (value !== undefined && minimum !== undefined && maximum !== undefined ? { value, minimum, maximum } : sentences.rangeIn(demand));
+  (value !== undefined && minimum !== undefined && maximum !== undefined && demand.startsWith("must be ")
+    ? { value, minimum, maximum }
+    : sentences.rangeIn(demand));
 
 /**
  * @param {LeftRange} range

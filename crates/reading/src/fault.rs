@@ -87,7 +87,7 @@ impl FieldFault {
 }
 
 /// Faults that are kept of one request; the others are counted.
-const MOST_FAULTS: usize = 200;
+const MOST_FAULTS: usize = 100;
 
 /// The faults of a request, and the words by which its reader tells what was meant.
 pub struct Faults {
