@@ -82,6 +82,18 @@ def before_load_schema(context, raw_schema):
         asked = operations.get("get", {}).get("parameters", [])
         if any("." in parameter["name"] for parameter in asked):
             operations["get"]["parameters"] = one_way(asked)
+    null_is_absent(raw_schema["components"]["schemas"])
+
+
+def null_is_absent(schema):
+    """Null for every field of a request that may be left out. Only requests refuse fields that they do not know."""
+    for part in schema.values() if isinstance(schema, dict) else schema:
+        if isinstance(part, (dict, list)):
+            null_is_absent(part)
+    if isinstance(schema, dict) and schema.get("additionalProperties") is False:
+        fields = schema["properties"]
+        for name in fields.keys() - set(schema.get("required", [])):
+            fields[name] = {"anyOf": [fields[name], {"type": "null"}]}
 
 
 def measurements(schemas):
@@ -175,7 +187,7 @@ def requiring(schema, fields, without=()):
     assert has(schema, [*fields, *without]), f"the contract lacks some of {fields} and {without}"
     variant = deepcopy(schema)
     variant["required"] = [*schema.get("required", []), *fields]
-    variant["properties"] = {name: of for name, of in variant["properties"].items() if name not in without}
+    variant["properties"].update((name, {"type": "null"}) for name in without)
     return variant
 
 

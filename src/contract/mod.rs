@@ -29,8 +29,8 @@ use crate::state::Service;
         title = "Terramechanics",
         description = "Steady forces of a rigid wheel, with or without lugs, rolling on deformable soil: drawbar pull, normal force, torque, \
                        sinkage and stresses. SI units and radians; the suffix of a field is its unit. Slip is −1 (locked) … 0 (rolling) … 1 \
-                       (spinning). Angles are measured at the wheel's centre from straight down, positive towards the front. Every failure is \
-                       an RFC 9457 problem document. Every answer of /v1 names the version of the model in the header X-Model-Version.",
+                       (spinning). Angles are measured at the wheel's centre from straight down, positive towards the front. A null for a field of a request that may be left \
+                       out is as if it were left out. Every failure is an RFC 9457 problem document. Every answer of /v1 names the version of the model in the header X-Model-Version.",
         contact(name = "The terramechanics project"),
         license(name = "MIT", identifier = "MIT")
     ),

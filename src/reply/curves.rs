@@ -31,9 +31,10 @@ pub(crate) struct PlatesReply {
     /// One per plate.
     plates: Vec<PlateReply>,
     columns: PlateColumns,
-    /// The law, ready for a request.
-    #[schema(value_type = PressureSinkageObject)]
-    pressure_sinkage: Spelled,
+    /// The law, ready for a request; absent where its parameters are beyond what a request takes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<PressureSinkageObject>, nullable = false)]
+    pressure_sinkage: Option<Spelled>,
     warnings: Vec<Warning>,
 }
 

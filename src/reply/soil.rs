@@ -62,10 +62,11 @@ fn pressure_sinkage(law: &PressureSinkage) -> Spelled {
     tagged("law", law.law().name, law.parameters())
 }
 
-/// Bekker's law with an exponent that does not change with slip.
-pub(super) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Spelled {
+/// Bekker's law with an exponent that does not change with slip; none that a request would refuse.
+pub(super) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Option<Spelled> {
     let values = [(&Bekker::K_C, k_c), (&Bekker::K_PHI, k_phi), (&SinkageExponent::BASE, n0)];
-    tagged("law", Bekker::NAME, values.into_iter())
+    let is_taken = |(of, value): &(&Parameter, f64)| of.requirement.holds(*value) && (of.least..=of.most).contains(value);
+    values.iter().all(is_taken).then(|| tagged("law", Bekker::NAME, values.into_iter()))
 }
 
 /// A contact.

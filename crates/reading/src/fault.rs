@@ -216,7 +216,7 @@ mod tests {
         (0..1_000_000).for_each(|_| root.fault("wrong"));
         let list = faults.into_list();
         assert_eq!(list.len(), MOST_FAULTS + 1);
-        assert_eq!(list.last().map(|fault| fault.detail.as_str()), Some("has 999800 more faults"));
+        assert_eq!(list.last().map(|fault| fault.detail.as_str()), Some("has 999900 more faults"));
     }
 
     #[test]
