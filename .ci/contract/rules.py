@@ -30,6 +30,9 @@ BESIDE_COLUMNS = ["strength"]
 # What takes columns that their schema does not list; tests of the service have it.
 BEYOND_THE_SCHEMA = ["extra_columns"]
 
+# Fields that no variant has.
+LEFT_OUT = [*BESIDE, *BESIDE_COLUMNS, *BEYOND_THE_SCHEMA, "variants", "bounds", "start", "standard_deviation", "estimator"]
+
 # Fields of a wheel that moves at an angle to its plane.
 SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
 
@@ -187,7 +190,12 @@ def requiring(schema, fields, without=()):
     assert has(schema, [*fields, *without]), f"the contract lacks some of {fields} and {without}"
     variant = deepcopy(schema)
     variant["required"] = [*schema.get("required", []), *fields]
-    variant["properties"].update((name, {"type": "null"}) for name in without)
+    for name in without:
+        if name in LEFT_OUT:
+            del variant["properties"][name]
+        else:
+            # Another variant has it, where null makes this one of it. Straight ahead is no slip angle, or one of 0.
+            variant["properties"][name] = {"enum": [None, 0]} if name == "slip_angle_rad" else {"type": "null"}
     return variant
 
 
