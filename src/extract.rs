@@ -57,6 +57,17 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
     }
 }
 
+/// The same of an answer that has one format.
+pub(crate) struct AskedOnly<R>(pub(crate) R);
+
+impl<R: request::Request, S: Sync> FromRequestParts<S> for AskedOnly<R> {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        checked(&read_query(&parts.uri)?).map(Self).map_err(Problem::Invalid)
+    }
+}
+
 /// Refuses every parameter that is left.
 fn refuse_all(query: &Query<'_>, detail: &str) -> Result<(), Problem> {
     let faults = Faults::new(&HINTS);

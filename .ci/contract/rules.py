@@ -82,10 +82,16 @@ def before_load_schema(context, raw_schema):
     del track["parameters"]
     track["requestBody"]["content"] = {"application/json": track["requestBody"]["content"]["application/json"]}
     for operations in raw_schema["paths"].values():
-        asked = operations.get("get", {}).get("parameters", [])
+        asked = [with_its_content(raw_schema, parameter) for parameter in operations.get("get", {}).get("parameters", [])]
         if any("." in parameter["name"] for parameter in asked):
             operations["get"]["parameters"] = one_way(asked)
     null_is_absent(raw_schema["components"]["schemas"])
+
+
+def with_its_content(document, parameter):
+    """A parameter, in place of a reference to one that operations share."""
+    target = parameter.get("$ref")
+    return deepcopy(document["components"]["parameters"][target.rpartition("/")[2]]) if target else parameter
 
 
 def null_is_absent(schema):

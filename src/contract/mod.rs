@@ -1,7 +1,9 @@
 //! The contract: an OpenAPI document of the operations, generated from their code.
 
 mod examples;
+mod part;
 mod paths;
+mod shared;
 
 use std::fmt;
 use std::sync::{Arc, OnceLock};
@@ -12,15 +14,19 @@ use axum::extract::State;
 use axum::response::Response;
 use utoipa::OpenApi;
 use utoipa::openapi::OpenApi as Document;
+use utoipa::openapi::tag::TagBuilder;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
+use self::part::ContractCase;
 use self::paths::Known;
 use crate::answer::json_text;
-use crate::api::responses::Limits;
-use crate::compute::Cost;
+use crate::api::responses::{InvalidQuery, Limits};
+use crate::compute::{Cost, Pace};
+use crate::extract::AskedOnly;
 use crate::problem::Problem;
 use crate::quantity;
+use crate::request::Documented;
 use crate::state::Service;
 
 #[derive(OpenApi)]
@@ -36,19 +42,16 @@ use crate::state::Service;
     ),
     components(schemas(crate::problem::ProblemBody)),
     servers((url = "/", description = "This server")),
-    security(()),
-    tags(
-        (name = "forces", description = "Forces and stresses of a wheel"),
-        (name = "identification", description = "Parameters of soil and contact from measurements"),
-        (name = "catalogue", description = "Wheels, soils, measurements and equations, with their sources"),
-        (name = "operations", description = "For operators and tools")
-    )
+    security(())
 )]
 struct Frame;
 
 /// The document before it has operations.
 pub(crate) fn frame() -> Document {
-    Frame::openapi()
+    let tag = |(name, about)| TagBuilder::new().name(name).description(Some(about)).build();
+    let mut frame = Frame::openapi();
+    frame.tags = Some(part::TAGS.map(tag).into());
+    frame
 }
 
 /// The contract of the service that is running.
@@ -81,16 +84,26 @@ impl Contract {
             quantity::add_units(&mut components.schemas);
         }
         examples::attach(&mut document);
+        shared::share(&mut document);
         document
     }
 
-    /// The document as text, as it is served and committed. The first call computes all examples.
+    /// The document as text, as it is served. The first call computes all examples.
     pub fn text(&self) -> &Bytes {
-        self.text.get_or_init(|| {
-            let mut text = self.document().to_pretty_json().unwrap_or_default();
-            text.push('\n');
-            text.into()
-        })
+        self.text.get_or_init(|| self.document().to_json().unwrap_or_default().into())
+    }
+
+    /// The document as text for those who read it, as it is committed.
+    #[must_use]
+    pub fn pretty_text(&self) -> String {
+        self.document().to_pretty_json().unwrap_or_default() + "\n"
+    }
+
+    /// The operations of these tags alone.
+    fn part(&self, tags: &[&str]) -> Bytes {
+        let mut document = serde_json::from_slice(self.text()).unwrap_or_default();
+        part::keep(&mut document, tags);
+        document.to_string().into()
     }
 
     /// The methods of a path, in words; none of a path that is not in the contract.
@@ -115,14 +128,22 @@ pub(crate) fn route(contract: &Arc<Contract>) -> OpenApiRouter<Service> {
 
 /// The contract
 ///
-/// This document.
+/// This document, or a part of it.
 #[utoipa::path(
     get,
     path = "/openapi.json",
     tag = "operations",
-    responses((status = 200, description = "The OpenAPI document", body = serde_json::Value), Limits)
+    params(ContractQuery),
+    responses((status = 200, description = "The OpenAPI document", body = serde_json::Value), InvalidQuery, Limits)
 )]
-async fn openapi(State(service): State<Service>, Extension(contract): Extension<Arc<Contract>>) -> Result<Response, Problem> {
-    let cost = if contract.text.get().is_some() { Cost::NONE } else { Cost::of_contract() };
-    service.pool().run(cost, move |_| Ok(json_text(contract.text().clone()))).await
+async fn openapi(
+    State(service): State<Service>,
+    Extension(contract): Extension<Arc<Contract>>,
+    AskedOnly(ContractCase(tags)): AskedOnly<ContractCase>,
+) -> Result<Response, Problem> {
+    let cost = if contract.text.get().is_some() && tags.is_none() { Cost::NONE } else { Cost::of_contract() };
+    let text = move |_: &Pace| Ok(json_text(tags.map_or_else(|| contract.text().clone(), |tags| contract.part(&tags))));
+    service.pool().run(cost, text).await
 }
+
+type ContractQuery = Documented<ContractCase>;

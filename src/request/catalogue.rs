@@ -8,12 +8,12 @@ use crate::catalogue::{soil_kinds, wheel_kinds};
 const WHEEL_KIND: Field<Lookup<&'static str>> = Field::new(
     "kind",
     "Only wheels of this kind.",
-    Lookup { words: wheel_kinds, find: |word| wheel_kinds().into_iter().find(|kind| *kind == word) },
+    Lookup { name: None, words: wheel_kinds, find: |word| wheel_kinds().into_iter().find(|kind| *kind == word) },
 );
 const SOIL_KIND: Field<Lookup<&'static str>> = Field::new(
     "kind",
     "Only soils of this kind.",
-    Lookup { words: soil_kinds, find: |word| soil_kinds().into_iter().find(|kind| *kind == word) },
+    Lookup { name: None, words: soil_kinds, find: |word| soil_kinds().into_iter().find(|kind| *kind == word) },
 );
 
 /// The wheels to list: of this kind, or all.

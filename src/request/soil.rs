@@ -11,7 +11,7 @@ use super::{Described, Shape};
 use crate::catalogue::{self, SoilRecord};
 
 const PRESET: Field<Lookup<&'static SoilRecord>> =
-    Field::new("preset", "A soil of the catalogue, see /v1/soils.", Lookup { words: catalogue::soil_ids, find: catalogue::soil });
+    Field::new("preset", "A soil of the catalogue, see /v1/soils.", Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil });
 pub(super) const COHESION: Field<Number> = field(&Soil::COHESION, "Cohesion c (Pa).");
 pub(super) const FRICTION_ANGLE: Field<Number> = field(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).");
 pub(super) const SHEAR_MODULUS: Field<Number> =

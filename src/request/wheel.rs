@@ -11,7 +11,7 @@ use crate::catalogue::{self, WheelRecord};
 const PRESET: Field<Lookup<&'static WheelRecord>> = Field::new(
     "preset",
     "A wheel of the catalogue, see /v1/wheels.",
-    Lookup { words: catalogue::wheel_ids, find: catalogue::wheel },
+    Lookup { name: Some("WheelPreset"), words: catalogue::wheel_ids, find: catalogue::wheel },
 );
 const RADIUS: Field<Number> = field(&Wheel::RADIUS, "Rim radius r (m).");
 const WIDTH: Field<Number> = field(&Wheel::WIDTH, "Width b (m).");

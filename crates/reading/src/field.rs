@@ -69,7 +69,9 @@ pub(crate) fn parameter(name: &str, meaning: &str, mut schema: RefOr<Schema>) ->
     match &mut schema {
         RefOr::T(Schema::Object(object)) => object.description = None,
         RefOr::T(Schema::OneOf(one_of)) => one_of.description = None,
-        _ => {}
+        RefOr::T(Schema::Array(list)) => list.description = None,
+        RefOr::Ref(reference) => reference.description.clear(),
+        RefOr::T(_) => {}
     }
     let parameter = ParameterBuilder::new().name(name).parameter_in(ParameterIn::Query).required(Required::False);
     parameter.description(Some(meaning)).schema(Some(schema)).build()

@@ -1,11 +1,11 @@
 //! Lists: of numbers, of words, of objects, and the two bounds of a range.
 
-use utoipa::openapi::path::Parameter;
+use utoipa::openapi::path::{Parameter, ParameterStyle};
 use utoipa::openapi::schema::ArrayBuilder;
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::{Figures, Scope};
-use crate::field::{Components, Kind, wrong_type};
+use crate::field::{Components, Kind, parameter, wrong_type};
 use crate::node::{Item, List, Node};
 use crate::number::Number;
 use crate::object::Object;
@@ -151,32 +151,49 @@ pub struct Words<T: 'static> {
     pub all_unless_given: bool,
 }
 
+/// The word that an item of a list is, else what it is.
+fn word_of<'n>(item: Item<'n, '_>) -> Result<&'n str, String> {
+    let word = match item {
+        Item::Other(node) => node.text(),
+        _ => None,
+    };
+    word.ok_or_else(|| item.in_words().to_string())
+}
+
+impl<T> Words<T> {
+    fn wrong_count<V>(&self, place: &Scope<'_>, found: usize) -> Option<V> {
+        let most = self.most.min(List::MOST_OTHERS);
+        wrong_length(place, found, (1, most), format!("must have from 1 to {most} names"))
+    }
+}
+
 impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
     type Value<'a> = Vec<T>;
 
     fn read<'a>(&self, node: &'a Node<'a>, place: Scope<'a>) -> Option<Vec<T>> {
-        let Node::List(list) = node else { return wrong_type(&place, "an array of names", node) };
-        let most = self.most.min(List::MOST_OTHERS);
-        if !(1..=most).contains(&list.len()) {
-            return wrong_length(&place, list.len(), (1, most), format!("must have from 1 to {most} names"));
+        let words: Vec<Result<&str, String>> = match node {
+            Node::List(list) if list.len() > List::MOST_OTHERS => return self.wrong_count(&place, list.len()),
+            Node::List(list) => list.items().map(word_of).collect(),
+            // A query writes the names in one parameter, with commas between.
+            Node::Parameter(text) => text.split(',').take(List::MOST_OTHERS + 1).map(Ok).collect(),
+            other => return wrong_type(&place, "an array of names", other),
+        };
+        if !(1..=self.most.min(List::MOST_OTHERS)).contains(&words.len()) {
+            return self.wrong_count(&place, words.len());
         }
-        let mut found: Vec<T> = Vec::with_capacity(list.len());
-        for (i, item) in list.items().enumerate() {
+        let mut found: Vec<T> = Vec::with_capacity(words.len());
+        for (i, word) in words.iter().enumerate() {
             let place = place.item(i);
-            let word = match item {
-                Item::Other(node) => node.text(),
-                _ => None,
-            };
             match word {
-                Some(word) => match self.word.look_up(word, &place) {
+                Ok(word) => match self.word.look_up(word, &place) {
                     Some(known) if found.contains(&known) => place.fault("is named more than once"),
                     Some(known) => found.push(known),
                     None => {}
                 },
-                None => place.fault(format_args!("must be a string, not {}", item.in_words())),
+                Err(sent) => place.fault(format_args!("must be a string, not {sent}")),
             }
         }
-        (found.len() == list.len()).then_some(found)
+        (found.len() == words.len()).then_some(found)
     }
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
@@ -190,8 +207,12 @@ impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
             .into()
     }
 
-    /// None: a query has no lists.
-    fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
+    fn parameters(&self, name: &str, meaning: &str, _: bool, found: &mut Vec<Parameter>) {
+        let mut list = parameter(name, meaning, self.schema(meaning));
+        list.style = Some(ParameterStyle::Form);
+        list.explode = Some(false);
+        found.push(list);
+    }
 }
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Words<T> {

@@ -1,10 +1,10 @@
 //! Words: out of a list that is declared, out of one that is looked up, or the client's own.
 
 use utoipa::openapi::schema::{ObjectBuilder, Type};
-use utoipa::openapi::{RefOr, Schema};
+use utoipa::openapi::{Ref, RefOr, Schema};
 
 use crate::fault::Scope;
-use crate::field::{Kind, wrong_type};
+use crate::field::{Components, Kind, wrong_type};
 use crate::hints::unknown_word;
 use crate::node::Node;
 use crate::reader::Defaulting;
@@ -75,6 +75,8 @@ impl<T: Copy + PartialEq + Sync> Defaulting for Word<T> {
 /// One of some words that are known only when the program runs.
 #[derive(Debug, Clone, Copy)]
 pub struct Lookup<T: 'static> {
+    /// The name of the words in the contract, where several fields take them.
+    pub name: Option<&'static str>,
     /// The words.
     pub words: fn() -> Vec<&'static str>,
     /// What a word means.
@@ -94,7 +96,16 @@ impl<T> Kind for Lookup<T> {
     }
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
-        words((self.words)()).description(Some(meaning)).into()
+        match self.name {
+            Some(name) => Ref::builder().ref_location_from_schema_name(name).description(Some(meaning)).build().into(),
+            None => words((self.words)()).description(Some(meaning)).into(),
+        }
+    }
+
+    fn components(&self, found: &mut Components) {
+        if let Some(name) = self.name {
+            found.push((name.to_owned(), words((self.words)()).into()));
+        }
     }
 }
 
