@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs every program in clients/ against the server at BASE_URL, all of them even where one fails. Before, a Python package
-# and types for TypeScript are generated from the contract that the server shows, for the programs that use them.
+# Runs every program in clients/ against the server at BASE_URL, all of them even where one fails. Before, a Python package,
+# pydantic models and types for TypeScript are generated from the contract that the server shows, for the programs that use
+# them: with the generators' defaults wherever these serve.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 : "${BASE_URL:?address of the server}"
@@ -16,6 +17,7 @@ node=../../node_modules/.bin
 
 "$python/openapi-python-client" generate --meta none --url "$BASE_URL/openapi.json" \
     --config ../../openapi-python-client.yaml --fail-on-warning
+"$python/datamodel-codegen" --url "$BASE_URL/openapi.json" --allow-private-network --output terramechanics_models.py
 "$node/openapi-typescript" "$BASE_URL/openapi.json" --default-non-nullable=false --output terramechanics.d.ts
 
 export PYTHONDONTWRITEBYTECODE=1
@@ -26,7 +28,8 @@ check() {
     if timeout 120 "$@"; then passed=$((passed + 1)); else failed+=("$*"); fi
 }
 
-for program in *.py; do
+for program in ../../../clients/*.py; do
+    program=${program##*/}
     check "$python/python" "$program" "$BASE_URL"
 done
 for program in *.mjs; do

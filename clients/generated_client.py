@@ -43,8 +43,8 @@ check(forces.sync(client=client, body=request))
 
 # The same asked by a query, whose parameters are named with an underscore for the dot.
 letter = {
-    "wheel_preset": models.ForcesOfQueryWheelPreset.LETTER,
-    "soil_preset": models.ForcesOfQuerySoilPreset.LETTER_SAND,
+    "wheel_preset": WheelPreset.LETTER,
+    "soil_preset": SoilPreset.LETTER_SAND,
 }
 check(forces_of_query.sync(client=client, slip=0.2, sinkage_m=0.02, **letter))
 
@@ -55,8 +55,8 @@ request = models.SlipSweepRequest(wheel=wheel, soil=sand, slip=slips, normal_loa
 posted = slip_sweep.sync(client=client, body=request)
 curve = slip_sweep_of_query.sync(
     client=client,
-    wheel_preset=models.SlipSweepOfQueryWheelPreset.LETTER,
-    soil_preset=models.SlipSweepOfQuerySoilPreset.LETTER_SAND,
+    wheel_preset=WheelPreset.LETTER,
+    soil_preset=SoilPreset.LETTER_SAND,
     soil_cohesion_pa=200,
     slip_from=0,
     slip_to=1,
