@@ -17,6 +17,7 @@ mod contract;
 mod docs;
 mod extract;
 mod http1;
+mod limits;
 pub mod log;
 mod metrics;
 mod name;
@@ -49,6 +50,7 @@ pub mod fuzzing {
 }
 
 pub use contract::Contract;
+pub use limits::Limits;
 pub use metrics::Metrics;
 pub use router::{app, contract, layered};
-pub use state::{Limits, Service};
+pub use state::Service;

@@ -5,6 +5,7 @@
 
 mod detail;
 mod gather;
+mod of_model;
 mod pieces;
 mod place;
 mod plausible;

@@ -17,8 +17,9 @@ use axum::response::Response;
 use super::responses::{InvalidSeries, Limits};
 use crate::compute::Place;
 use crate::extract::{Input, SeriesForm, read_query};
+use crate::limits;
 use crate::problem::Problem;
-use crate::state::{self, Service};
+use crate::state::Service;
 use crate::stream;
 pub(crate) use example::example;
 use reply::TrackReply;
@@ -65,7 +66,7 @@ struct Asked {
     run: Run,
     body: Body,
     place: Place,
-    limits: state::Limits,
+    limits: limits::Limits,
 }
 
 async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
@@ -75,7 +76,7 @@ async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
     if form == SeriesForm::Json {
         let Input(query) = Input::<TrackCase>::from_request(request, service).await?;
         // All is there already, so that it is a computation like any other.
-        let limits = state::Limits { stream_deadline: limits.compute_deadline, ..limits };
+        let limits = limits::Limits { stream_deadline: limits.compute_deadline, ..limits };
         let place = service.pool().place()?;
         return Ok(Asked { run: Run::over_samples(query, wanted), body: Body::empty(), place, limits });
     }
