@@ -1,6 +1,6 @@
 use super::*;
 use crate::consent::Consent;
-use crate::fit::FitOptions;
+use crate::options::FitOptions;
 use crate::observations::{Column, Observations};
 use crate::unknown::Unknown;
 use terramechanics::{
