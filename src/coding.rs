@@ -11,8 +11,6 @@ use http_body_util::{BodyDataStream, BodyExt};
 use tokio::io::AsyncRead;
 use tokio_util::io::{ReaderStream, StreamReader};
 
-use crate::problem::Problem;
-
 /// What is unpacked, as the header Accept-Encoding names it.
 pub(crate) const TAKEN: &str = "gzip, deflate";
 
@@ -26,11 +24,15 @@ enum Coding {
     Deflate,
 }
 
+/// A body has a coding that is not unpacked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct UnknownCoding;
+
 /// The body without its coding, and without the headers that no longer hold for it.
 ///
 /// # Errors
-/// [`Problem::UnknownCoding`] for a coding that is not unpacked, and for several on top of each other.
-pub(crate) fn unpacked(body: Body, headers: &mut HeaderMap) -> Result<Body, Problem> {
+/// [`UnknownCoding`] for a coding that is not unpacked, and for several on top of each other.
+pub(crate) fn unpacked(body: Body, headers: &mut HeaderMap) -> Result<Body, UnknownCoding> {
     if body.is_end_stream() {
         return Ok(body); // there is nothing that could be packed
     }
@@ -54,7 +56,7 @@ fn streamed(decoder: impl AsyncRead + Send + 'static) -> Body {
     Body::from_stream(ReaderStream::with_capacity(decoder, PIECE))
 }
 
-fn coding(headers: &HeaderMap) -> Result<Coding, Problem> {
+fn coding(headers: &HeaderMap) -> Result<Coding, UnknownCoding> {
     let mut codings = headers.get_all(CONTENT_ENCODING).iter();
     match (codings.next(), codings.next()) {
         (None, _) => Ok(Coding::Identity),
@@ -62,8 +64,8 @@ fn coding(headers: &HeaderMap) -> Result<Coding, Problem> {
             b"" | b"identity" => Ok(Coding::Identity),
             b"gzip" | b"x-gzip" => Ok(Coding::Gzip),
             b"deflate" => Ok(Coding::Deflate),
-            _ => Err(Problem::UnknownCoding),
+            _ => Err(UnknownCoding),
         },
-        (Some(_), Some(_)) => Err(Problem::UnknownCoding),
+        (Some(_), Some(_)) => Err(UnknownCoding),
     }
 }

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::limits::Limits;
 use crate::server::{Bounds, Slowest};
-use crate::state::Limits;
 
 /// Forces of a wheel on soil, over HTTP: an API and a plotting page.
 #[derive(Debug, Parser)]

@@ -26,7 +26,7 @@ pub(crate) async fn receive(request: Request, next: Next) -> Response {
     let body = rest::read_to_its_end(body, &parts.headers);
     match coding::unpacked(body, &mut parts.headers) {
         Ok(body) => next.run(Request::from_parts(parts, body)).await,
-        Err(problem) => problem.into_response(),
+        Err(unknown) => Problem::from(unknown).into_response(),
     }
 }
 

@@ -1,8 +1,9 @@
 //! The terramechanics service: HTTP/JSON over the model crate, its OpenAPI contract and its plotting page.
 //!
-//! The way of a request: bytes → `extract` → a request object of `request`, which checks everything and reports every
-//! fault → `found`, where the model computes → a reply of `reply` → bytes. What an answer says of its numbers comes from the
-//! table of `quantity`, what it says of itself from that of `warning`. Physics live in the crate `terramechanics`, HTTP here.
+//! The way of a request: bytes → `extract` → the request of a room of `api`, which checks everything and reports every fault → what
+//! the model finds → the reply → bytes. A room has all of one operation; what several share is in `request` and `reply`. What an
+//! answer says of its numbers comes from the table of `quantity`, what it says of itself from that of `warning`. Physics live in
+//! the crate `terramechanics`, HTTP here.
 
 mod answer;
 mod api;
@@ -15,8 +16,8 @@ pub mod config;
 mod contract;
 mod docs;
 mod extract;
-mod found;
 mod http1;
+mod limits;
 pub mod log;
 mod metrics;
 mod name;
@@ -49,6 +50,7 @@ pub mod fuzzing {
 }
 
 pub use contract::Contract;
+pub use limits::Limits;
 pub use metrics::Metrics;
 pub use router::{app, contract, layered};
-pub use state::{Limits, Service};
+pub use state::Service;

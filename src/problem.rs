@@ -8,7 +8,7 @@ use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use crate::coding;
+use crate::coding::{self, UnknownCoding};
 use crate::compute::Stop;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
@@ -197,6 +197,12 @@ impl Problem {
 }
 
 /// Work that was told to stop; the pool knows why and answers accordingly.
+impl From<UnknownCoding> for Problem {
+    fn from(UnknownCoding: UnknownCoding) -> Self {
+        Self::UnknownCoding
+    }
+}
+
 impl From<Stop> for Problem {
     fn from(_: Stop) -> Self {
         Self::Busy

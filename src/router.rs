@@ -10,49 +10,58 @@ use tower_http::catch_panic::CatchPanicLayer;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-use crate::api::{
-    catalogue, compare, coupled, forces, health, identify, limits, model, resistances, slip_sweep, stress_profile, towed, track,
-    validation,
-};
+use crate::api::compare::{self, CompareCase};
+use crate::api::coupled::{self, CoupledCase};
+use crate::api::curves::plates::{self, PlatesCase};
+use crate::api::curves::shear::{self, ShearTestsCase};
+use crate::api::forces::{self, ForcesCase};
+use crate::api::identify::{self, IdentifyCase};
+use crate::api::operations::Operations;
+use crate::api::resistances::{self, ResistancesCase};
+use crate::api::slip_sweep::{self, SweepCase};
+use crate::api::stress_profile::{self, ProfileCase};
+use crate::api::towed::{self, TowedCase};
+use crate::api::{catalogue, health, limits, model, track, validation};
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
 use crate::state::Service;
 use crate::{docs, http1, observe, page};
 use terramechanics_reading::shortened;
 
-/// The operations of the contract, in its order.
-fn operations() -> OpenApiRouter<Service> {
-    OpenApiRouter::new()
-        .routes(routes!(forces::forces, forces::forces_of_query))
-        .routes(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
-        .routes(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
-        .routes(routes!(compare::compare))
-        .routes(routes!(coupled::coupled))
-        .routes(routes!(resistances::resistances, resistances::resistances_of_query))
-        .routes(routes!(towed::towed))
-        .routes(routes!(identify::identify))
-        .routes(routes!(identify::plates))
-        .routes(routes!(identify::shear))
-        .routes(routes!(track::track))
-        .routes(routes!(catalogue::wheels))
-        .routes(routes!(catalogue::wheel))
-        .routes(routes!(catalogue::soils))
-        .routes(routes!(catalogue::soil))
-        .routes(routes!(validation::validation))
-        .routes(routes!(validation::validation_set))
-        .routes(routes!(model::model))
-        .routes(routes!(limits::limits))
-        .routes(routes!(health::healthz))
-        .routes(routes!(health::readyz))
-        .routes(routes!(health::metrics))
+/// The operations of the contract, in its order: a row for each.
+fn operations() -> Operations {
+    Operations::new()
+        .room::<ForcesCase>(routes!(forces::forces, forces::forces_of_query))
+        .room::<ProfileCase>(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
+        .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
+        .room::<CompareCase>(routes!(compare::compare))
+        .room::<CoupledCase>(routes!(coupled::coupled))
+        .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))
+        .room::<TowedCase>(routes!(towed::towed))
+        .room::<IdentifyCase>(routes!(identify::identify))
+        .room::<PlatesCase>(routes!(plates::plates))
+        .room::<ShearTestsCase>(routes!(shear::shear))
+        .shown(routes!(track::track), track::example)
+        .shown(routes!(catalogue::wheels), catalogue::example_of_wheels)
+        .shown(routes!(catalogue::wheel), catalogue::example_of_wheel)
+        .shown(routes!(catalogue::soils), catalogue::example_of_soils)
+        .shown(routes!(catalogue::soil), catalogue::example_of_soil)
+        .shown(routes!(validation::validation), validation::example)
+        .shown(routes!(validation::validation_set), validation::example_of_set)
+        .plain(routes!(model::model))
+        .plain(routes!(limits::limits))
+        .plain(routes!(health::healthz))
+        .plain(routes!(health::readyz))
+        .plain(routes!(health::metrics))
 }
 
 /// The operations and the contract that describes them and itself.
 fn documented() -> (Router<Service>, Arc<Contract>) {
     let contract = Arc::default();
-    let router = OpenApiRouter::with_openapi(contract::frame()).merge(operations()).merge(contract::route(&contract));
+    let Operations { router, shown } = operations();
+    let router = OpenApiRouter::with_openapi(contract::frame()).merge(router).merge(contract::route(&contract));
     let (routes, document) = router.split_for_parts();
-    contract.describe(document);
+    contract.describe(document, shown);
     (routes, contract)
 }
 

@@ -12,8 +12,8 @@ use tokio::time::{Instant, timeout, timeout_at};
 
 use crate::body;
 use crate::compute::Place;
+use crate::limits::Limits;
 use crate::problem::Problem;
-use crate::state::Limits;
 
 /// Output after which a slice ends (bytes). Larger pieces are hardly faster.
 pub(crate) const PIECE: usize = 16 << 10;

@@ -1,15 +1,21 @@
-//! The operations of the API: each takes a checked request and returns an answer or a problem.
+//! The operations of the API, each in a room of its own: what a client may write and what becomes of it (`request`), what is
+//! computed (`found`), how that stands on the wire (`reply`), and the handler with an example for the contract (`mod`).
+//!
+//! A new endpoint is a room here, a row in [`crate::router`] and a test.
 
 pub(crate) mod catalogue;
 pub(crate) mod compare;
 pub(crate) mod coupled;
+pub(crate) mod curves;
 pub(crate) mod forces;
 pub(crate) mod health;
 pub(crate) mod identify;
 pub(crate) mod limits;
 pub(crate) mod model;
+pub(crate) mod operations;
 pub(crate) mod resistances;
 pub(crate) mod responses;
+pub(crate) mod room;
 pub(crate) mod slip_sweep;
 pub(crate) mod stress_profile;
 pub(crate) mod towed;

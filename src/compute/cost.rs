@@ -8,7 +8,6 @@ use std::time::Duration;
 use terramechanics::{Method, Operation, Sinkage};
 
 use super::SLICE;
-use crate::request::IdentifyCase;
 
 /// The cost of a computation, in nanoseconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -135,16 +134,15 @@ impl Cost {
         Self { usual: 0.5e6, price: ALLOWANCE }
     }
 
-    /// Of an identification: a line through the samples, or a search that may spend its evaluations.
-    pub(crate) fn of_identification(query: &IdentifyCase) -> Self {
-        match query {
-            IdentifyCase::Linear(query) => {
-                // With a law, the quadrature a few times for each sample.
-                let each = if query.law_known { 100e3 } else { 2e3 };
-                Self::of_fit(query.observations.slip.len() as f64 * each)
-            }
-            IdentifyCase::Fit(query) => Self::of_fit(query.options.evaluations as f64 * 200.0),
-        }
+    /// Of a line through `samples` samples; with a pressure–sinkage law its bias is simulated, by the quadrature a few times for each.
+    pub(crate) fn of_line(samples: usize, law_known: bool) -> Self {
+        let each = if law_known { 100e3 } else { 2e3 };
+        Self::of_fit(samples as f64 * each)
+    }
+
+    /// Of a search that may spend so many evaluations of the forces.
+    pub(crate) fn of_search(evaluations: u64) -> Self {
+        Self::of_fit(evaluations as f64 * 200.0)
     }
 
     /// Of fitting curves with `points` points in all: a shear modulus is tried a few thousand times.

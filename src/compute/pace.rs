@@ -16,6 +16,9 @@ pub(crate) const SLICE: Duration = Duration::from_millis(10);
 /// Looks without a clock after which the clock is read, where a look stands for next to no work.
 const LIGHT_LOOKS: u32 = 32;
 
+/// Time for work that nobody waits for: enough for all.
+const AT_ONCE: Duration = Duration::from_secs(60);
+
 /// Why work ends before its result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stop {
@@ -32,6 +35,8 @@ pub(crate) enum Stop {
 pub(super) struct Terms {
     /// Set when the caller goes.
     pub(super) gone: Arc<AtomicBool>,
+    /// Time that it is given, with the time for which it waits for others.
+    pub(super) time: Duration,
     pub(super) deadline: Instant,
     /// Processor time after which it ends.
     pub(super) most: Duration,
@@ -90,6 +95,11 @@ impl Pace {
         let looks = work.looks.get() + 1;
         work.looks.set(looks % LIGHT_LOOKS);
         if looks < LIGHT_LOOKS { work.stop.get().map_or(Ok(()), Err) } else { work.look() }
+    }
+
+    /// Time that the work is given in all.
+    pub(crate) fn time(&self) -> Duration {
+        self.0.as_ref().map_or(AT_ONCE, |work| work.terms.time)
     }
 
     /// Whether to go on, for a search that asks.

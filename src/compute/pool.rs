@@ -115,7 +115,12 @@ impl Pool {
         let places = if class == Class::Short { &self.short_places } else { &self.places };
         let place = Place::of(places, &self.turns)?;
         let caller = Caller::default();
-        let terms = Terms { gone: caller.0.clone(), deadline: Instant::now() + self.deadline, most: price * OVERDRAFT };
+        let terms = Terms {
+            gone: caller.0.clone(),
+            time: self.deadline,
+            deadline: Instant::now() + self.deadline,
+            most: price * OVERDRAFT,
+        };
         let turns = self.turns.clone();
         let computed = async {
             let turn = turns.turn(class).await;

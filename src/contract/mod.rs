@@ -18,6 +18,7 @@ use utoipa::openapi::tag::TagBuilder;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
+pub(crate) use self::examples::{Example, Shown, rounded, with_rounded_numbers};
 use self::part::ContractCase;
 use self::paths::Known;
 use crate::answer::json_text;
@@ -59,6 +60,7 @@ pub(crate) fn frame() -> Document {
 pub struct Contract {
     /// The document without examples, which take a while to compute.
     plain: OnceLock<Document>,
+    shown: OnceLock<Vec<Shown>>,
     known: OnceLock<Vec<Known>>,
     text: OnceLock<Bytes>,
 }
@@ -70,8 +72,9 @@ impl fmt::Debug for Contract {
 }
 
 impl Contract {
-    /// Says what the contract describes; the first word stands.
-    pub(crate) fn describe(&self, document: Document) {
+    /// Says what the contract describes and what it shows of it; the first word stands.
+    pub(crate) fn describe(&self, document: Document, shown: Vec<Shown>) {
+        self.shown.get_or_init(|| shown);
         self.known.get_or_init(|| paths::known(&document));
         self.plain.get_or_init(|| document);
     }
@@ -83,7 +86,7 @@ impl Contract {
         if let Some(components) = &mut document.components {
             quantity::add_units(&mut components.schemas);
         }
-        examples::attach(&mut document);
+        examples::attach(&mut document, self.shown.get().map_or(&[], Vec::as_slice));
         shared::share(&mut document);
         document
     }

@@ -5,15 +5,19 @@
 mod cell;
 mod columns;
 mod point;
+mod point_columns;
 mod sample;
+mod sample_columns;
 mod schema;
 mod table;
 mod unit;
 
 pub(crate) use cell::{Cell, Digits, csv, line, write_table};
 pub(crate) use columns::{Columns, Shape, Values};
-pub(crate) use point::{OfPoint, Part, Point, PointColumns, PointValue, point_rows};
-pub(crate) use sample::{Beside, OfSample, Row, SampleCells, SampleColumns, SampleLists, SampleValue};
+pub(crate) use point::{OfPoint, Part, Point, PointValue};
+pub(crate) use point_columns::{PointColumns, point_rows};
+pub(crate) use sample::{Beside, OfSample, Row, SampleValue};
+pub(crate) use sample_columns::{SampleCells, SampleColumns, SampleLists};
 pub(crate) use schema::{Field, add_units, object_of, with_fields};
 pub(crate) use table::TABLE;
 pub(crate) use unit::{of_name as unit_of_name, shown, with_unit};

@@ -1,30 +1,11 @@
-//! Answers as they stand on the wire: other forms of what was found.
+//! Answers as they stand on the wire: what several operations share.
 
-mod compare;
-mod coupled;
-mod curves;
-mod difference;
-mod forces;
-mod identify;
-mod resistances;
-mod slip_sweep;
-mod soil;
-mod stress_profile;
-mod towed;
-mod track;
-mod validation;
+mod estimate;
+mod method;
+pub(crate) mod soil;
 
-pub(crate) use compare::CompareReply;
-pub(crate) use coupled::CoupledReply;
-pub(crate) use curves::{PlatesReply, ShearReply};
-pub(crate) use forces::{ForcesReply, method_name};
-pub(crate) use identify::IdentifyReply;
-pub(crate) use resistances::ResistancesReply;
-pub(crate) use slip_sweep::SweepReply;
-pub(crate) use stress_profile::ProfileReply;
-pub(crate) use towed::TowedReply;
-pub(crate) use track::{EventReply, TrackReply};
-pub(crate) use validation::ValidationSet;
+pub(crate) use estimate::EstimateReply;
+pub(crate) use method::method_name;
 
 use std::borrow::Cow;
 
@@ -50,10 +31,10 @@ macro_rules! one_row {
     };
 }
 
-use one_row;
+pub(crate) use one_row;
 
 /// A number; null where it is NaN.
-fn or_null<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn or_null<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     value.is_finite().then_some(value).serialize(serializer)
 }
 
@@ -62,11 +43,11 @@ fn or_null<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error>
 #[schema(as = Angles)]
 pub(crate) struct AnglesReply {
     /// Entry angle θ1 (rad).
-    entry_rad: f64,
+    pub(crate) entry_rad: f64,
     /// Angle of maximum stress θm (rad).
-    maximum_stress_rad: f64,
+    pub(crate) maximum_stress_rad: f64,
     /// Exit angle θ2 (rad).
-    exit_rad: f64,
+    pub(crate) exit_rad: f64,
 }
 
 impl From<Angles> for AnglesReply {

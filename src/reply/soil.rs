@@ -8,7 +8,7 @@ use terramechanics::{
 
 /// An object of a request: its fields by name, in order.
 #[derive(Debug)]
-pub(super) struct Spelled(Vec<(&'static str, Member)>);
+pub(crate) struct Spelled(Vec<(&'static str, Member)>);
 
 #[derive(Debug)]
 enum Member {
@@ -40,7 +40,7 @@ fn tagged(tag: &'static str, name: &'static str, values: impl Iterator<Item = (&
 }
 
 /// A soil, with those of its laws that are known.
-pub(super) fn soil(soil: &SoilParams) -> Spelled {
+pub(crate) fn soil(soil: &SoilParams) -> Spelled {
     // The law that a request has without naming one.
     let (modulus, shear) = match soil.shear {
         Some(ShearLaw::JanosiHanamoto(law)) => (Some(law.modulus), None),
@@ -63,14 +63,14 @@ fn pressure_sinkage(law: &PressureSinkage) -> Spelled {
 }
 
 /// Bekker's law with an exponent that does not change with slip; none that a request would refuse.
-pub(super) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Option<Spelled> {
+pub(crate) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Option<Spelled> {
     let values = [(&Bekker::K_C, k_c), (&Bekker::K_PHI, k_phi), (&SinkageExponent::BASE, n0)];
     let is_taken = |(of, value): &(&Parameter, f64)| of.requirement.holds(*value) && (of.least..=of.most).contains(value);
     values.iter().all(is_taken).then(|| tagged("law", Bekker::NAME, values.into_iter()))
 }
 
 /// A contact.
-pub(super) fn contact(contact: &ContactParams) -> Spelled {
+pub(crate) fn contact(contact: &ContactParams) -> Spelled {
     let exit = [(&Contact::EXIT_RATIO, contact.exit_ratio)];
     tagged("rule", contact.rule.law().name, contact.rule.parameters().chain(exit))
 }

@@ -16,7 +16,7 @@ const RANGE: Object =
     Object { name: "SlipRange", doc: "Equally spaced slips, both ends included.", groups: &[&[&FROM, &TO, &POINTS]] };
 
 /// The slips of a sweep.
-pub(super) const SLIPS: Field<OneOf> = Field::required(
+pub(crate) const SLIPS: Field<OneOf> = Field::required(
     "slip",
     "The slips: a range, or a list.",
     OneOf::new(
@@ -26,7 +26,7 @@ pub(super) const SLIPS: Field<OneOf> = Field::required(
 );
 
 /// One slip, or those of a sweep.
-pub(super) const SLIP_OR_SLIPS: Field<OneOf> = Field::required(
+pub(crate) const SLIP_OR_SLIPS: Field<OneOf> = Field::required(
     "slip",
     "One slip, or the slips as a range or a list.",
     OneOf::new(
@@ -40,7 +40,7 @@ pub(super) const SLIP_OR_SLIPS: Field<OneOf> = Field::required(
 );
 
 /// The slips, of which there is at least one.
-pub(super) fn read(object: &Reader<'_>, field: &Field<OneOf>) -> Option<Vec<Slip>> {
+pub(crate) fn read(object: &Reader<'_>, field: &Field<OneOf>) -> Option<Vec<Slip>> {
     match object.required(field)? {
         Either::Number(slip) => Some(vec![Slip::new(slip).ok()?]),
         Either::Numbers(slips) => slips.iter().map(|&slip| Slip::new(slip).ok()).collect(),

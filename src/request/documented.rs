@@ -3,13 +3,12 @@
 use std::borrow::Cow;
 use std::marker::PhantomData;
 
-use terramechanics::{Contact, PressureSinkage, Soil, Wheel};
 use terramechanics_reading::{Components, Object, Tagged};
 use utoipa::openapi::path::{Parameter, ParameterIn};
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{IntoParams, PartialSchema, ToSchema};
 
-use super::*;
+use super::Request;
 
 /// What is declared of a type that is read from requests.
 pub(crate) trait Described {
@@ -28,24 +27,6 @@ impl<R: Request> Described for R {
 
 /// Stands in the contract for what a client writes to have a `T`.
 pub(crate) struct Documented<T>(PhantomData<T>);
-
-pub(crate) type CompareRequest = Documented<CompareCase>;
-pub(crate) type CoupledRequest = Documented<CoupledCase>;
-pub(crate) type ForcesRequest = Documented<ForcesCase>;
-pub(crate) type IdentifyRequest = Documented<IdentifyCase>;
-pub(crate) type PlatesRequest = Documented<PlatesCase>;
-pub(crate) type ProfileRequest = Documented<ProfileCase>;
-pub(crate) type ResistancesRequest = Documented<ResistancesCase>;
-pub(crate) type ShearTestsRequest = Documented<ShearTestsCase>;
-pub(crate) type SoilsQuery = Documented<SoilsCase>;
-pub(crate) type SweepRequest = Documented<SweepCase>;
-pub(crate) type TowedRequest = Documented<TowedCase>;
-pub(crate) type TrackRequest = Documented<TrackCase>;
-pub(crate) type WheelsQuery = Documented<WheelsCase>;
-pub(crate) type ContactObject = Documented<Contact>;
-pub(crate) type PressureSinkageObject = Documented<PressureSinkage>;
-pub(crate) type SoilObject = Documented<Soil>;
-pub(crate) type WheelObject = Documented<Wheel>;
 
 impl<T: Described> PartialSchema for Documented<T> {
     fn schema() -> RefOr<Schema> {

@@ -9,13 +9,13 @@ use terramechanics::{
 use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
 
 /// What may be sent for a parameter of the model, if something is.
-pub(super) const fn number(parameter: &Parameter) -> Number {
+pub(crate) const fn number(parameter: &Parameter) -> Number {
     let number = Number::new(parameter.unit, parameter.least, parameter.most);
     if parameter.is_open_above() { number.open_above() } else { number }
 }
 
 /// The same, with the parameter's default.
-pub(super) const fn number_or_default(parameter: &Parameter) -> Number {
+pub(crate) const fn number_or_default(parameter: &Parameter) -> Number {
     match parameter.default() {
         Some(default) => number(parameter).or(default),
         None => number(parameter),
@@ -23,12 +23,12 @@ pub(super) const fn number_or_default(parameter: &Parameter) -> Number {
 }
 
 /// The field of a parameter that may be absent from a request.
-pub(super) const fn field(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
+pub(crate) const fn field(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
     Field::new(parameter.name, meaning, number(parameter))
 }
 
 /// The same, with the parameter's default.
-pub(super) const fn field_or_default(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
+pub(crate) const fn field_or_default(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
     Field::new(parameter.name, meaning, number_or_default(parameter))
 }
 
@@ -61,7 +61,7 @@ fn chosen<F>(laws: &'static [Law<F>], index: usize, values: &[Option<f64>]) -> O
 }
 
 /// The pressure–sinkage law of a request.
-pub(super) const PRESSURE_SINKAGE: Tagged = Tagged {
+pub(crate) const PRESSURE_SINKAGE: Tagged = Tagged {
     name: "PressureSinkage",
     doc: "A pressure–sinkage law σ = K_s z^N with N = n0 + n1 s, or n0 − n2 s at negative slip where n2 is given.",
     tag: "law",
@@ -74,12 +74,12 @@ pub(super) const PRESSURE_SINKAGE: Tagged = Tagged {
     },
 };
 
-pub(super) fn pressure_sinkage(Chosen { index, values }: &Chosen) -> Option<PressureSinkage> {
+pub(crate) fn pressure_sinkage(Chosen { index, values }: &Chosen) -> Option<PressureSinkage> {
     chosen(PressureSinkage::LAWS, *index, values)
 }
 
 /// The shear law of a request. The parameter of Janosi–Hanamoto's is a field of the soil.
-pub(super) const SHEAR: Tagged = Tagged {
+pub(crate) const SHEAR: Tagged = Tagged {
     name: "Shear",
     doc: "How shear strength builds up with displacement: to the full strength and no further (Janosi–Hanamoto, with the soil's shear_modulus_m), over a hump to a residual, or over a peak to nothing (Wong).",
     tag: "law",
@@ -99,7 +99,7 @@ fn is_of_soil(law: &Law<ShearLaw>) -> bool {
 }
 
 /// The shear law, or none for the one whose parameter is a field of the soil; nothing where there is no such law.
-pub(super) fn shear(Chosen { index, values }: &Chosen) -> Option<Option<ShearLaw>> {
+pub(crate) fn shear(Chosen { index, values }: &Chosen) -> Option<Option<ShearLaw>> {
     if ShearLaw::LAWS.get(*index).is_some_and(is_of_soil) {
         return Some(None);
     }
@@ -107,7 +107,7 @@ pub(super) fn shear(Chosen { index, values }: &Chosen) -> Option<Option<ShearLaw
 }
 
 /// The slip–sinkage law of a request.
-pub(super) const SLIP_SINKAGE: Tagged = Tagged {
+pub(crate) const SLIP_SINKAGE: Tagged = Tagged {
     name: "SlipSinkage",
     doc: "How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s).",
     tag: "law",
@@ -120,12 +120,12 @@ pub(super) const SLIP_SINKAGE: Tagged = Tagged {
     },
 };
 
-pub(super) fn slip_sinkage(Chosen { index, values }: &Chosen) -> Option<SlipSinkage> {
+pub(crate) fn slip_sinkage(Chosen { index, values }: &Chosen) -> Option<SlipSinkage> {
     chosen(SlipSinkage::LAWS, *index, values)
 }
 
 /// The contact of a request: a rule for its peak, and what every contact has.
-pub(super) const CONTACT: Tagged = Tagged {
+pub(crate) const CONTACT: Tagged = Tagged {
     name: "Contact",
     doc: "Where the stresses are largest and where the contact ends: θm by the rule, θ2 = c3 θ1.",
     tag: "rule",
@@ -138,7 +138,7 @@ pub(super) const CONTACT: Tagged = Tagged {
     },
 };
 
-pub(super) fn contact(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
+pub(crate) fn contact(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
     let (exit_ratio, values) = values.split_last()?;
     Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit_ratio: (*exit_ratio)? })
 }

@@ -1,48 +1,25 @@
 //! Requests as a client writes them, and what they become: the only place where input is checked and converted.
 //!
-//! A part of a request (the wheel, the motion, the sinkage) is declared, read and turned into its domain value in one file. A request
-//! names its groups of fields and calls their readers.
+//! A part of a request (the wheel, the motion, the sinkage) is declared, read and turned into its domain value in one file here. The
+//! request of an operation, which stands in its room, names its groups of fields and calls their readers.
 
-mod axis;
-mod catalogue;
-mod compare;
-mod coupled;
-mod curves;
+pub(crate) mod axis;
 mod documented;
-mod forces;
-mod identify;
-mod laws;
-mod method;
-mod motion;
-mod operation;
-mod preset;
+pub(crate) mod laws;
+pub(crate) mod method;
+pub(crate) mod motion;
+pub(crate) mod operation;
+pub(crate) mod preset;
 mod refusal;
-mod resistances;
-mod series;
-mod side_slip;
-mod sinkage;
-mod slip_sweep;
-mod soil;
-mod stress_profile;
-mod system;
-mod towed;
-mod track;
-mod wheel;
+pub(crate) mod side_slip;
+pub(crate) mod sinkage;
+pub(crate) mod soil;
+pub(crate) mod system;
+pub(crate) mod unknowns;
+pub(crate) mod wheel;
 
-pub(crate) use catalogue::{SoilsCase, WheelsCase};
-pub(crate) use compare::{CompareCase, Variation};
-pub(crate) use coupled::CoupledCase;
-pub(crate) use curves::{PlatesCase, ShearTestsCase, plates_fault, shear_fault};
-pub(crate) use documented::*;
-pub(crate) use forces::ForcesCase;
-pub(crate) use identify::{FitCase, IdentifyCase, LinearCase, column_name, fit_fault, name_of, refusal_pointer};
+pub(crate) use documented::{Described, Documented, Shape};
 pub(crate) use refusal::{error_fault, error_pointer};
-pub(crate) use resistances::ResistancesCase;
-pub(crate) use series::Samples;
-pub(crate) use slip_sweep::SweepCase;
-pub(crate) use stress_profile::ProfileCase;
-pub(crate) use towed::TowedCase;
-pub(crate) use track::{TrackCase, TrackPlan, TrackSettings, checked_settings};
 
 use terramechanics_reading::{FieldFault, Node, Object, Reader, read};
 

@@ -6,9 +6,9 @@ use terramechanics_reading::{Field, Group, Number, Reader};
 use super::laws::{field, number};
 
 /// A slip ratio.
-pub(super) const RATIO: Number = number(&Slip::RATIO).share();
+pub(crate) const RATIO: Number = number(&Slip::RATIO).share();
 
-pub(super) const SLIP: Field<Number> = Field::new(
+pub(crate) const SLIP: Field<Number> = Field::new(
     Slip::RATIO.name,
     "Slip ratio s [–]: −1 locked, 0 rolling, 1 spinning; driving 1 − v/(rω), braking rω/v − 1.",
     RATIO,
@@ -18,10 +18,10 @@ const FORWARD_VELOCITY: Field<Number> =
 const ANGULAR_VELOCITY: Field<Number> =
     field(&Velocities::ANGULAR, "Angular velocity ω of the wheel (rad/s), positive when it rolls forward.");
 
-pub(super) const MOTION: Group = &[&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY];
+pub(crate) const MOTION: Group = &[&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY];
 
 /// The motion: from the slip, or from both velocities and the wheel.
-pub(super) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Motion> {
+pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Motion> {
     let slip = object.optional(&SLIP);
     let (forward, angular) = (object.optional(&FORWARD_VELOCITY), object.optional(&ANGULAR_VELOCITY));
     match (object.has(&SLIP), [object.has(&FORWARD_VELOCITY), object.has(&ANGULAR_VELOCITY)]) {

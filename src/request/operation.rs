@@ -8,16 +8,16 @@ use super::soil::Needs;
 use super::system::{self, System};
 
 /// An operation as far as it could be read.
-pub(super) struct Found {
-    pub(super) operation: Option<Operation>,
-    pub(super) wheel: Option<Wheel>,
+pub(crate) struct Found {
+    pub(crate) operation: Option<Operation>,
+    pub(crate) wheel: Option<Wheel>,
     /// The depth under the peak that was asked for.
-    pub(super) peak_depth: Option<PeakDepth>,
+    pub(crate) peak_depth: Option<PeakDepth>,
 }
 
 /// The operation of a request with the groups of a system, of the stresses and of braking, with the sinkage and by the method that
 /// are found in it.
-pub(super) fn read(
+pub(crate) fn read(
     object: &Reader<'_>,
     sinkage: impl FnOnce(&Reader<'_>, Option<&Wheel>) -> Option<Sinkage>,
     method: impl FnOnce(&Reader<'_>, Option<PeakDepth>) -> Option<Method>,
@@ -26,7 +26,7 @@ pub(super) fn read(
 }
 
 /// The same with a system that was read in another way.
-pub(super) fn read_with(
+pub(crate) fn read_with(
     object: &Reader<'_>,
     system: System,
     sinkage: impl FnOnce(&Reader<'_>, Option<&Wheel>) -> Option<Sinkage>,

@@ -5,7 +5,7 @@ use terramechanics_reading::{Field, Lookup, Number, Reader};
 use crate::catalogue::{SoilRecord, WheelRecord};
 
 /// An entry of the catalogue.
-pub(super) trait Entry: Sync + 'static {
+pub(crate) trait Entry: Sync + 'static {
     /// Its name.
     fn id(&self) -> &str;
 
@@ -35,25 +35,25 @@ impl Entry for SoilRecord {
 
 /// The entry that a request names, if it names one.
 #[derive(Clone, Copy)]
-pub(super) struct Preset<E: 'static> {
-    pub(super) entry: Option<&'static E>,
+pub(crate) struct Preset<E: 'static> {
+    pub(crate) entry: Option<&'static E>,
     /// False where a name was sent that is none, which was reported: nothing is missing then.
-    pub(super) is_sound: bool,
+    pub(crate) is_sound: bool,
 }
 
 impl<E: Entry> Preset<E> {
-    pub(super) fn read(object: &Reader<'_>, field: &Field<Lookup<&'static E>>) -> Self {
+    pub(crate) fn read(object: &Reader<'_>, field: &Field<Lookup<&'static E>>) -> Self {
         let named = object.optional(field);
         Self { entry: named.flatten(), is_sound: named.is_some() }
     }
 
     /// What was sent, else what is published; no answer at all where what was sent is wrong.
-    pub(super) fn optional(&self, object: &Reader<'_>, field: &Field<Number>) -> Option<Option<f64>> {
+    pub(crate) fn optional(&self, object: &Reader<'_>, field: &Field<Number>) -> Option<Option<f64>> {
         Some(object.optional(field)?.or_else(|| self.entry.and_then(|entry| entry.number(field.name))))
     }
 
     /// What was sent, else what is published, else `otherwise`; that there is none of them is reported.
-    pub(super) fn value(&self, object: &Reader<'_>, field: &Field<Number>, otherwise: Option<f64>) -> Option<f64> {
+    pub(crate) fn value(&self, object: &Reader<'_>, field: &Field<Number>, otherwise: Option<f64>) -> Option<f64> {
         let value = self.optional(object, field)?.or(otherwise);
         if value.is_none() {
             self.missing(object, field);
@@ -62,7 +62,7 @@ impl<E: Entry> Preset<E> {
     }
 
     /// Reports that there is no value, neither in the request nor published.
-    pub(super) fn missing<K>(&self, object: &Reader<'_>, field: &Field<K>) {
+    pub(crate) fn missing<K>(&self, object: &Reader<'_>, field: &Field<K>) {
         let place = object.place_of(field);
         match self.entry {
             Some(entry) => {

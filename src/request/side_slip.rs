@@ -20,10 +20,10 @@ const BULLDOZING: Field<Word<Bulldozing>> = Field::new(
     Word::new(&[("full", Bulldozing::Full), ("mobilised", Bulldozing::Mobilised)]).or(Bulldozing::Full),
 );
 
-pub(super) const SIDE_SLIP: Group = &[&SLIP_ANGLE, &SHEAR_COUPLING, &BULLDOZING];
+pub(crate) const SIDE_SLIP: Group = &[&SLIP_ANGLE, &SHEAR_COUPLING, &BULLDOZING];
 
 /// The method at the slip angle, if one was sent; a closed form has none, but goes straight ahead as well as any.
-pub(super) fn read(object: &Reader<'_>, method: Option<Method>) -> Option<Method> {
+pub(crate) fn read(object: &Reader<'_>, method: Option<Method>) -> Option<Method> {
     let coupling = object.or_default(&SHEAR_COUPLING);
     let bulldozing = object.or_default(&BULLDOZING);
     let angle = object.optional(&SLIP_ANGLE);

@@ -6,20 +6,20 @@ use terramechanics_reading::{Field, Figures, Group, Number, Reader, Tagged, in_m
 use super::laws::{self, field, number};
 
 /// A load on a wheel.
-pub(super) const LOAD: Number = number(&WheelOnSoil::NORMAL_LOAD);
+pub(crate) const LOAD: Number = number(&WheelOnSoil::NORMAL_LOAD);
 
-pub(super) const SINKAGE_M: Field<Number> = field(&WheelOnSoil::SINKAGE, "Sinkage z (m), at most the wheel's radius.");
-pub(super) const STATIC_SINKAGE: Field<Number> =
+pub(crate) const SINKAGE_M: Field<Number> = field(&WheelOnSoil::SINKAGE, "Sinkage z (m), at most the wheel's radius.");
+pub(crate) const STATIC_SINKAGE: Field<Number> =
     field(&WheelOnSoil::STATIC_SINKAGE, "Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.");
-pub(super) const SLIP_SINKAGE: Field<&Tagged> =
+pub(crate) const SLIP_SINKAGE: Field<&Tagged> =
     Field::new("slip_sinkage", "Slip–sinkage law beside static_sinkage_m; lyasko unless given.", &laws::SLIP_SINKAGE);
-pub(super) const NORMAL_LOAD: Field<Number> =
+pub(crate) const NORMAL_LOAD: Field<Number> =
     field(&WheelOnSoil::NORMAL_LOAD, "Vertical load W (N); the sinkage is solved so that F_z = W.");
 
-pub(super) const SINKAGE: Group = &[&SINKAGE_M, &STATIC_SINKAGE, &SLIP_SINKAGE, &NORMAL_LOAD];
+pub(crate) const SINKAGE: Group = &[&SINKAGE_M, &STATIC_SINKAGE, &SLIP_SINKAGE, &NORMAL_LOAD];
 
 /// The slip–sinkage law; Lyasko's where none was sent.
-pub(super) fn law(object: &Reader<'_>) -> Option<SlipSinkage> {
+pub(crate) fn law(object: &Reader<'_>) -> Option<SlipSinkage> {
     match object.optional(&SLIP_SINKAGE)? {
         Some(chosen) => laws::slip_sinkage(&chosen),
         None => Some(SlipSinkage::Lyasko),
@@ -27,7 +27,7 @@ pub(super) fn law(object: &Reader<'_>) -> Option<SlipSinkage> {
 }
 
 /// The slip–sinkage law, which has a meaning only beside a static sinkage.
-pub(super) fn law_beside_static(object: &Reader<'_>) -> Option<SlipSinkage> {
+pub(crate) fn law_beside_static(object: &Reader<'_>) -> Option<SlipSinkage> {
     if object.has(&SLIP_SINKAGE) && !object.has(&STATIC_SINKAGE) {
         object.place_of(&SLIP_SINKAGE).fault(format_args!("needs `{}` beside it", STATIC_SINKAGE.name));
     }
@@ -35,7 +35,7 @@ pub(super) fn law_beside_static(object: &Reader<'_>) -> Option<SlipSinkage> {
 }
 
 /// The sinkage, given in exactly one of three ways.
-pub(super) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Sinkage> {
+pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Sinkage> {
     let law = law_beside_static(object);
     let ways = [&SINKAGE_M, &STATIC_SINKAGE, &NORMAL_LOAD];
     let values = ways.map(|field| object.optional(field).flatten());
@@ -60,7 +60,7 @@ pub(super) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Sinkage
 }
 
 /// The sinkage, if it does not exceed the radius of the wheel, where that is known; else the fault is reported.
-pub(super) fn within_wheel(object: &Reader<'_>, sinkage: f64, wheel: Option<&Wheel>) -> Option<f64> {
+pub(crate) fn within_wheel(object: &Reader<'_>, sinkage: f64, wheel: Option<&Wheel>) -> Option<f64> {
     match wheel.map(Wheel::radius) {
         Some(radius) if sinkage > radius => {
             let meant = if sinkage >= 1.0 && sinkage / 1000.0 <= radius { in_millimetres(sinkage) } else { String::new() };

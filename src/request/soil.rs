@@ -7,14 +7,17 @@ use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 
 use super::laws::{self, field};
 use super::preset::Preset;
-use super::{Described, Shape};
+use super::{Described, Documented, Shape};
 use crate::catalogue::{self, SoilRecord};
 
-const PRESET: Field<Lookup<&'static SoilRecord>> =
-    Field::new("preset", "A soil of the catalogue, see /v1/soils.", Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil });
-pub(super) const COHESION: Field<Number> = field(&Soil::COHESION, "Cohesion c (Pa).");
-pub(super) const FRICTION_ANGLE: Field<Number> = field(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).");
-pub(super) const SHEAR_MODULUS: Field<Number> =
+const PRESET: Field<Lookup<&'static SoilRecord>> = Field::new(
+    "preset",
+    "A soil of the catalogue, see /v1/soils.",
+    Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil },
+);
+pub(crate) const COHESION: Field<Number> = field(&Soil::COHESION, "Cohesion c (Pa).");
+pub(crate) const FRICTION_ANGLE: Field<Number> = field(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).");
+pub(crate) const SHEAR_MODULUS: Field<Number> =
     field(&JanosiHanamoto::MODULUS, "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.");
 const PRESSURE_SINKAGE: Field<&Tagged> =
     Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
@@ -26,14 +29,14 @@ const UNIT_WEIGHT: Field<Number> = field(
     &Soil::UNIT_WEIGHT,
     "Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.",
 );
-pub(super) const SHEAR: Field<&Tagged> =
+pub(crate) const SHEAR: Field<&Tagged> =
     Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
-pub(super) const VARIED_SHEAR: Field<&Tagged> = Field { meaning: "Shear law, for that of the soil.", ..SHEAR };
-pub(super) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
+pub(crate) const VARIED_SHEAR: Field<&Tagged> = Field { meaning: "Shear law, for that of the soil.", ..SHEAR };
+pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
     Field { meaning: "Pressure–sinkage law, for that of the soil.", ..PRESSURE_SINKAGE };
 
-pub(super) const SOIL: Object = Object {
+pub(crate) const SOIL: Object = Object {
     name: "Soil",
     doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
     groups: &[&[
@@ -48,29 +51,31 @@ pub(super) const SOIL: Object = Object {
     ]],
 };
 
+pub(crate) type SoilObject = Documented<Soil>;
+
 impl Described for Soil {
     const SHAPE: Shape = Shape::Object(&SOIL);
 }
 
 /// What a request needs of a soil.
 #[derive(Clone, Copy)]
-pub(super) struct Needs<'a> {
+pub(crate) struct Needs<'a> {
     /// Whether the pressure–sinkage law has an influence; else it may be absent.
-    pub(super) pressure_sinkage: bool,
+    pub(crate) pressure_sinkage: bool,
     /// Whether the shear law has one.
-    pub(super) shear: bool,
+    pub(crate) shear: bool,
     /// The starts of the parameters that are fitted, by name: they may be absent.
-    pub(super) fitted: &'a dyn Fn(&str) -> Option<f64>,
+    pub(crate) fitted: &'a dyn Fn(&str) -> Option<f64>,
 }
 
 impl Needs<'static> {
     /// All that a soil has.
-    pub(super) const ALL: Self = Self { pressure_sinkage: true, shear: true, fitted: &|_| None };
+    pub(crate) const ALL: Self = Self { pressure_sinkage: true, shear: true, fitted: &|_| None };
 }
 
 /// Where the pressure–sinkage law comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum LawOrigin {
+pub(crate) enum LawOrigin {
     /// From the request.
     Request,
     /// From the catalogue.
@@ -83,15 +88,15 @@ pub(super) enum LawOrigin {
 
 /// A soil that was read.
 #[derive(Clone, Copy)]
-pub(super) struct FoundSoil {
-    pub(super) soil: Soil,
+pub(crate) struct FoundSoil {
+    pub(crate) soil: Soil,
     /// The contact that the catalogue measured with it.
-    pub(super) contact: Option<Contact>,
-    pub(super) law: LawOrigin,
+    pub(crate) contact: Option<Contact>,
+    pub(crate) law: LawOrigin,
 }
 
 /// The soil, from the request and the preset it names.
-pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
+pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let preset = Preset::read(object, &PRESET);
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
     let cohesion = value(&COHESION);

@@ -5,17 +5,20 @@ use terramechanics_reading::{Field, Group, Object, Reader, Tagged};
 
 use super::laws;
 use super::soil::{self, FoundSoil, Needs};
-use super::{Described, Shape, wheel};
+use super::{Described, Documented, Shape, wheel};
 
-pub(super) const WHEEL: Field<&Object> = Field::required("wheel", "The wheel.", &wheel::WHEEL);
-pub(super) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &soil::SOIL);
-pub(super) const CONTACT: Field<&Tagged> = Field::new(
+pub(crate) const WHEEL: Field<&Object> = Field::required("wheel", "The wheel.", &wheel::WHEEL);
+pub(crate) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &soil::SOIL);
+pub(crate) const CONTACT: Field<&Tagged> = Field::new(
     "contact",
     "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.",
     &laws::CONTACT,
 );
 
-pub(super) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT];
+pub(crate) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT];
+
+pub(crate) type PressureSinkageObject = Documented<PressureSinkage>;
+pub(crate) type ContactObject = Documented<Contact>;
 
 impl Described for PressureSinkage {
     const SHAPE: Shape = Shape::Tagged(&laws::PRESSURE_SINKAGE);
@@ -26,27 +29,27 @@ impl Described for Contact {
 }
 
 /// The parts of a system as far as they could be read.
-pub(super) struct System {
-    pub(super) wheel: Option<Wheel>,
-    pub(super) soil: Option<FoundSoil>,
-    pub(super) contact: Option<Contact>,
+pub(crate) struct System {
+    pub(crate) wheel: Option<Wheel>,
+    pub(crate) soil: Option<FoundSoil>,
+    pub(crate) contact: Option<Contact>,
 }
 
 impl System {
     /// The system, if all its parts are there.
-    pub(super) fn whole(&self, braking: Braking) -> Option<WheelOnSoil> {
+    pub(crate) fn whole(&self, braking: Braking) -> Option<WheelOnSoil> {
         let contact = self.contact?.with_braking(braking);
         Some(WheelOnSoil { wheel: self.wheel?, soil: self.soil?.soil, contact })
     }
 }
 
 /// The system.
-pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> System {
+pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> System {
     read_varied(object, None, needs)
 }
 
 /// The system with the laws that `variant` has in place of the soil's own.
-pub(super) fn read_varied(object: &Reader<'_>, variant: Option<&Reader<'_>>, needs: Needs<'_>) -> System {
+pub(crate) fn read_varied(object: &Reader<'_>, variant: Option<&Reader<'_>>, needs: Needs<'_>) -> System {
     let wheel = read_wheel(object);
     let soil = object.required(&SOIL).and_then(|own| match variant {
         Some(variant) => soil::read(&own.overlaid(variant), needs),
@@ -57,12 +60,12 @@ pub(super) fn read_varied(object: &Reader<'_>, variant: Option<&Reader<'_>>, nee
 }
 
 /// The wheel.
-pub(super) fn read_wheel(object: &Reader<'_>) -> Option<Wheel> {
+pub(crate) fn read_wheel(object: &Reader<'_>) -> Option<Wheel> {
     object.required(&WHEEL).and_then(|wheel| wheel::read(&wheel))
 }
 
 /// The contact sent, else the one measured with the soil, else the midpoint.
-pub(super) fn read_contact(object: &Reader<'_>, soil: Option<&FoundSoil>, needs: Needs<'_>) -> Option<Contact> {
+pub(crate) fn read_contact(object: &Reader<'_>, soil: Option<&FoundSoil>, needs: Needs<'_>) -> Option<Contact> {
     let Some(chosen) = object.chosen(&CONTACT, needs.fitted)? else {
         return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT));
     };

@@ -5,7 +5,7 @@ use terramechanics_reading::{Field, Lookup, Number, Object, Reader};
 
 use super::laws::field;
 use super::preset::Preset;
-use super::{Described, Shape};
+use super::{Described, Documented, Shape};
 use crate::catalogue::{self, WheelRecord};
 
 const PRESET: Field<Lookup<&'static WheelRecord>> = Field::new(
@@ -21,18 +21,20 @@ const LUG_COEFFICIENT: Field<Number> = field(
     "Lug coefficient λ_s [–]: the shear stress acts at r + λ_s h; 0.5 unless given or in the catalogue.",
 );
 
-pub(super) const WHEEL: Object = Object {
+pub(crate) const WHEEL: Object = Object {
     name: "Wheel",
     doc: "A rigid wheel. Without `preset`, `radius_m` and `width_m` are required; with it, any field beside it overrides the catalogue's.",
     groups: &[&[&PRESET, &RADIUS, &WIDTH, &LUG_HEIGHT, &LUG_COEFFICIENT]],
 };
+
+pub(crate) type WheelObject = Documented<Wheel>;
 
 impl Described for Wheel {
     const SHAPE: Shape = Shape::Object(&WHEEL);
 }
 
 /// The wheel, from the request and the preset it names.
-pub(super) fn read(object: &Reader<'_>) -> Option<Wheel> {
+pub(crate) fn read(object: &Reader<'_>) -> Option<Wheel> {
     let preset = Preset::read(object, &PRESET);
     let radius = preset.value(object, &RADIUS, None);
     let width = preset.value(object, &WIDTH, None);

@@ -4,19 +4,13 @@ mod csv;
 mod ndjson;
 #[cfg(any(test, fuzzing))]
 mod pieces;
-mod run;
-mod writer;
 
 use csv::CsvReader;
 use ndjson::NdjsonReader;
 #[cfg(fuzzing)]
 pub(crate) use pieces::all;
-pub(crate) use run::Run;
-use writer::{RowFormat, Table};
 
 use std::fmt;
-
-use terramechanics::Channel;
 
 /// A column that a series may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,20 +33,6 @@ impl Column {
 
     pub(crate) const fn name(self) -> &'static str {
         Self::NAMES[self as usize]
-    }
-}
-
-impl From<Channel> for Column {
-    fn from(channel: Channel) -> Self {
-        match channel {
-            Channel::Time => Self::Time,
-            Channel::Slip => Self::Slip,
-            Channel::ForwardVelocity => Self::ForwardVelocity,
-            Channel::AngularVelocity => Self::AngularVelocity,
-            Channel::Sinkage => Self::Sinkage,
-            Channel::Torque => Self::Torque,
-            Channel::NormalLoad => Self::NormalLoad,
-        }
     }
 }
 
@@ -90,9 +70,6 @@ impl Layout {
         self.0[index] = true;
     }
 }
-
-/// Samples that a JSON body may have, and rows of an answer in columns; there is no limit to those of the other forms.
-pub(crate) const MOST_IN_COLUMNS: usize = 100_000;
 
 /// Longest row of a series, and longest header (bytes).
 pub(crate) const LONGEST_ROW: usize = 8192;

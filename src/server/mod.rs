@@ -3,11 +3,13 @@
 //! hyper's own connection builder is used because `axum::serve` bounds neither a connection nor the stop. The limits are kept
 //! here, not in hyper, which knows no limit for what is written and one for both an idle connection and a head that drips.
 
+mod bounds;
 mod connection;
 mod link;
 mod pace;
 mod peer;
 mod places;
+mod reason;
 mod signals;
 mod transport;
 mod upload;
@@ -23,115 +25,15 @@ use tokio::net::{TcpListener, TcpSocket, TcpStream};
 use tokio::sync::watch;
 
 use crate::state::Service;
+pub use bounds::Bounds;
 use connection::Shared;
 use link::Link;
 pub use pace::Slowest;
 use peer::Peer;
 use places::Places;
+pub(crate) use reason::Reason;
 pub use signals::told_to_stop;
-
-/// Bounds of the accept loop.
-#[derive(Debug, Clone, Copy)]
-pub struct Bounds {
-    /// Connections that may be open at once.
-    pub connections: usize,
-    /// Connections that one peer may have of them.
-    pub of_one_peer: usize,
-    /// Time in which the head of a request has to arrive, from its first byte on, and the first byte of a connection.
-    pub head_deadline: Duration,
-    /// Time for which a connection is kept after an answer.
-    pub keep_alive: Duration,
-    /// Time in which a client has to take something of an answer that waits for it.
-    pub write_deadline: Duration,
-    /// The slowest client that takes an answer.
-    pub slowest_download: Slowest,
-    /// The slowest client that sends a body.
-    pub slowest_upload: Slowest,
-    /// Time in which new connections are still taken once the server was told to stop.
-    pub drain_delay: Duration,
-    /// Time that open requests are given when the server stops.
-    pub grace: Duration,
-}
-
-/// Why a connection was closed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Reason {
-    /// By the client, or after its last answer.
-    Done,
-    /// It broke, or what came was not HTTP.
-    Broken,
-    /// Nothing came.
-    Idle,
-    /// The head of a request did not arrive in time.
-    SlowHead,
-    /// The body of a request came too slowly.
-    SlowBody,
-    /// Nothing of an answer was taken.
-    Stalled,
-    /// An answer was taken too slowly.
-    SlowReader,
-    /// It waited for its client, and another came.
-    MadeRoom,
-    /// All places were taken by requests.
-    NoPlace,
-}
-
-impl Bounds {
-    /// Those of a service with the default settings.
-    pub const DEFAULT: Self = Self {
-        connections: 1024,
-        of_one_peer: 512,
-        head_deadline: Duration::from_secs(10),
-        keep_alive: Duration::from_secs(75),
-        write_deadline: Duration::from_secs(10),
-        slowest_download: Slowest { rate: 1024, window: Duration::from_secs(30) },
-        slowest_upload: Slowest { rate: 5, window: Duration::from_secs(30) },
-        drain_delay: Duration::ZERO,
-        grace: Duration::from_secs(10),
-    };
-}
-
-impl Reason {
-    /// All of them, so that each is counted from the start.
-    pub(crate) const ALL: [Self; 9] = [
-        Self::Done,
-        Self::Broken,
-        Self::Idle,
-        Self::SlowHead,
-        Self::SlowBody,
-        Self::Stalled,
-        Self::SlowReader,
-        Self::MadeRoom,
-        Self::NoPlace,
-    ];
-
-    /// Its name among the metrics.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Done => "done",
-            Self::Broken => "broken",
-            Self::Idle => "idle",
-            Self::SlowHead => "slow_head",
-            Self::SlowBody => "slow_body",
-            Self::Stalled => "stalled",
-            Self::SlowReader => "slow_reader",
-            Self::MadeRoom => "made_room",
-            Self::NoPlace => "no_place",
-        }
-    }
-}
-
-/// A body that came slower than this.
-#[derive(Debug)]
-pub(crate) struct TooSlow(pub(crate) Slowest);
-
-impl std::fmt::Display for TooSlow {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "the body came at less than {} bytes a second over {} s", self.0.rate, self.0.window.as_secs_f64())
-    }
-}
-
-impl std::error::Error for TooSlow {}
+pub(crate) use upload::TooSlow;
 
 /// Pause after a failed accept: mostly there are no file descriptors left, and trying again at once would spin.
 const ACCEPT_PAUSE: Duration = Duration::from_millis(50);

@@ -8,9 +8,21 @@ use axum::body::{Bytes, HttpBody};
 use hyper::body::{Frame, Incoming, SizeHint};
 use tokio::time::{Instant, Sleep, sleep_until};
 
+use super::Reason;
 use super::link::Link;
-use super::pace::Pace;
-use super::{Reason, TooSlow};
+use super::pace::{Pace, Slowest};
+
+/// A body that came slower than this.
+#[derive(Debug)]
+pub(crate) struct TooSlow(pub(crate) Slowest);
+
+impl std::fmt::Display for TooSlow {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "the body came at less than {} bytes a second over {} s", self.0.rate, self.0.window.as_secs_f64())
+    }
+}
+
+impl std::error::Error for TooSlow {}
 
 pub(super) struct Upload {
     body: Incoming,

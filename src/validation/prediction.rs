@@ -4,7 +4,8 @@ use terramechanics::{Caution, OperatingPoint, Outcome, cautions};
 use terramechanics_reading::Node;
 
 use super::{Record, Run};
-use crate::request::{ForcesCase, checked};
+use crate::api::forces::ForcesCase;
+use crate::request::checked;
 use crate::warning::{Reason, RowCautions};
 
 /// What one run gives at the measured slips and loads.

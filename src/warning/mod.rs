@@ -5,19 +5,22 @@
 
 mod detail;
 mod gather;
+mod of_model;
 mod pieces;
 mod place;
+mod plausible;
 mod table;
 mod words;
 
 pub(crate) use gather::{RowCautions, gathered, shared_warnings};
 pub(crate) use pieces::{BeyondRange, gap_in_words};
 pub(crate) use place::Rows;
+pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};
 pub(crate) use words::{Reason, number};
 
 use serde::{Serialize, Serializer};
-use terramechanics::{Caution, Error, SoilParams, TestedRange, Wheel};
+use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
@@ -141,6 +144,17 @@ impl From<Outside> for Warning {
 /// The warnings that a wheel and a soil carry wherever they are: of values far beyond all that the catalogue has.
 pub(crate) fn system_warnings(wheel: &Wheel, soil: &SoilParams) -> impl Iterator<Item = Warning> + use<> {
     catalogue::outside(wheel, soil).map(Warning::from)
+}
+
+/// What is to be said of a wheel on a soil, wherever it is.
+pub(crate) fn of_system(system: &WheelOnSoil) -> impl Iterator<Item = Warning> + use<> {
+    system_warnings(&system.wheel, system.soil.params())
+}
+
+/// What is to be said of one operating point: the cautions, what is far from the catalogue, and that the wheel moves backwards.
+pub(crate) fn of_point(cautions: impl Iterator<Item = Caution>, system: &WheelOnSoil, heading: Heading) -> Vec<Warning> {
+    let mirrored = (heading == Heading::Backward).then(|| Warning::from(Finding::Mirrored {}));
+    cautions.map(Warning::from).chain(of_system(system)).chain(mirrored).collect()
 }
 
 /// A warning as it stands on the wire.

@@ -1,9 +1,7 @@
 //! Parts of findings that several share.
 
-use terramechanics::Lacking;
 use terramechanics_identification::DesignGap;
 
-use super::Finding;
 use super::words::{number, quoted};
 
 /// Values of one column that a sample may not have.
@@ -51,26 +49,4 @@ pub(super) fn design_gap(gap: DesignGap, parameters: &[&'static str]) -> String 
     };
     let reason = gap_in_words(gap);
     format!("{reason}, so only the assumed shape of the stresses determines {}. {advice}", quoted(parameters))
-}
-
-impl Finding {
-    /// Why the estimate of that name is null.
-    pub(crate) fn lacking(estimate: &'static str, lacking: &Lacking) -> Self {
-        match *lacking {
-            Lacking::ExponentBelowThree { exponent } => Self::NeedsExponentBelowThree { estimate, exponent },
-            Lacking::UnitWeight => Self::NeedsUnitWeight { estimate },
-            Lacking::DrivingSlip => Self::NeedsDrivingSlip { estimate },
-            Lacking::JanosiHanamoto => Self::NeedsJanosiHanamoto { estimate },
-        }
-    }
-
-    /// What data of one kind leave open of `parameters`.
-    pub(crate) fn gap(gap: DesignGap, parameters: Vec<&'static str>) -> Self {
-        match gap {
-            DesignGap::OneSlip => Self::SingleSlip { parameters },
-            DesignGap::OneLoad => Self::SingleLoad { parameters },
-            DesignGap::FewPoints => Self::FewPoints { parameters },
-            DesignGap::NormalForceOnly => Self::NormalForceOnly { parameters },
-        }
-    }
 }

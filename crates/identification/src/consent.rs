@@ -3,8 +3,6 @@
 use std::cell::Cell;
 use std::fmt;
 
-use crate::problem::Obstacle;
-
 /// Points of a curve, or rows of a matrix, between two questions: some tens to hundreds of microseconds of work.
 pub(crate) const POINTS_PER_QUESTION: usize = 1024;
 
@@ -40,13 +38,6 @@ impl<'a> Consent<'a> {
 impl fmt::Debug for Consent<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Consent").field("is_withdrawn", &self.is_withdrawn).finish_non_exhaustive()
-    }
-}
-
-/// A search unwinds from a no as from a budget that is spent.
-impl From<Stopped> for Obstacle {
-    fn from(_: Stopped) -> Self {
-        Self::Budget
     }
 }
 

@@ -9,7 +9,8 @@
 use nalgebra::DMatrix;
 use terramechanics::Sinkage;
 
-use crate::problem::{Obstacle, Problem, Sought};
+use crate::obstacle::Obstacle;
+use crate::problem::{Problem, Sought};
 use crate::range::is_summable;
 use crate::setup::{Prediction, Setup, SinkageSource};
 

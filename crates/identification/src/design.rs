@@ -4,7 +4,8 @@
 //! no more than the assumed shape of the stresses, which the model has wrong by far more. The derivatives alone do not show
 //! that, since on the model's own terms they may still be independent.
 
-use crate::observations::{Observations, Quantity};
+use crate::observations::Observations;
+use crate::quantity::Quantity;
 use crate::setup::Prediction;
 use crate::unknown::Unknown;
 

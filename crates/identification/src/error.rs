@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::observations::Quantity;
+use crate::quantity::Quantity;
 use crate::range;
 use crate::unknown::Unknown;
 

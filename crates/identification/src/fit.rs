@@ -5,84 +5,15 @@ use std::time::Instant;
 use terramechanics::Error;
 
 use crate::consent::Consent;
-use crate::design::DesignGap;
 use crate::error::FitError;
-use crate::finding::Estimate;
-use crate::fitted_column::FittedColumn;
 use crate::loss::Loss;
 use crate::observations::Observations;
-use crate::problem::{Obstacle, Problem, Sought};
-use crate::report::report;
+use crate::obstacle::Obstacle;
+use crate::options::{FitOptions, MOST_STARTS};
+use crate::problem::{Problem, Sought};
+use crate::report::{Fit, report};
 use crate::search::{Found, StopReason, from_start, further_start};
 use crate::setup::Setup;
-use crate::unknown::Unknown;
-
-/// Starts that one fit tries at most.
-pub const MOST_STARTS: u32 = 32;
-
-/// How a fit is made.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FitOptions {
-    /// Starts that are tried, up to [`MOST_STARTS`]; more are taken as that many.
-    pub starts: u32,
-    /// What a residual costs.
-    pub loss: Loss,
-    /// Evaluations of the forces after which the fit ends and says so.
-    pub evaluations: u64,
-    /// When the search ends at the latest and says so; without one the result is the same on every machine.
-    pub until: Option<Instant>,
-}
-
-impl Default for FitOptions {
-    fn default() -> Self {
-        Self { starts: 1, loss: Loss::LeastSquares, evaluations: 20_000_000, until: None }
-    }
-}
-
-/// The result of a fit.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fit {
-    /// One per unknown, in the order asked for.
-    pub estimates: Vec<Estimate>,
-    /// Why the search ended.
-    pub stop: StopReason,
-    /// Steps of the best search.
-    pub iterations: u32,
-    /// Evaluations of the forces, over all starts.
-    pub evaluations: u64,
-    /// Correlation of the estimates; none with one that has no standard error.
-    pub correlation: Vec<Vec<Option<f64>>>,
-    /// Condition number of the derivatives with columns of length one; infinite where a direction is dead.
-    pub condition_number: f64,
-    /// Directions in which the data do not change: the share of every unknown, on the scale of its effect.
-    pub dead_directions: Vec<Vec<(Unknown, f64)>>,
-    /// What the operating points do not vary, and the unknowns that need it.
-    pub gaps: Vec<(DesignGap, Vec<Unknown>)>,
-    /// Measurements minus determined directions.
-    pub degrees_of_freedom: f64,
-    /// Sum of squares over the degrees of freedom, where standard deviations were given: about one if they and the model hold.
-    pub reduced_chi_square: Option<f64>,
-    /// The fitted columns.
-    pub columns: Vec<FittedColumn>,
-    /// Sinkage of every sample (m).
-    pub sinkage: Vec<f64>,
-    /// The setup with the estimates.
-    pub setup: Setup,
-}
-
-impl Fit {
-    /// Whether the search ended at a minimum. That alone does not make the estimates unique.
-    #[must_use]
-    pub fn converged(&self) -> bool {
-        self.stop.is_success()
-    }
-
-    /// Whether the data determine every unknown.
-    #[must_use]
-    pub fn is_identifiable(&self) -> bool {
-        self.estimates.iter().all(|estimate| estimate.identifiability.is_determined())
-    }
-}
 
 /// Rounds in which a robust loss learns the scale of the residuals from them.
 const SCALE_ROUNDS: usize = 2;

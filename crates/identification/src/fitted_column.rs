@@ -1,6 +1,6 @@
 //! How well is a measured column met?
 
-use crate::observations::Quantity;
+use crate::quantity::Quantity;
 
 /// One fitted column.
 #[derive(Debug, Clone, PartialEq)]

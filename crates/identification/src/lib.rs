@@ -18,15 +18,19 @@ mod consent;
 mod derivatives;
 mod design;
 mod error;
+mod estimate;
 mod finding;
 mod fit;
 mod fitted_column;
 mod linear;
 mod loss;
 mod observations;
+mod obstacle;
+mod options;
 mod plates;
 mod problem;
 mod profile;
+mod quantity;
 mod range;
 mod report;
 mod search;
@@ -39,17 +43,20 @@ mod valley;
 
 pub use design::DesignGap;
 pub use error::FitError;
-pub use finding::{Bound, Estimate, Identifiability};
-pub use fit::{Fit, FitOptions, MOST_STARTS, fit, fit_while};
+pub use estimate::{Bound, Estimate, Identifiability};
+pub use fit::{fit, fit_while};
 pub use fitted_column::FittedColumn;
 pub use linear::{
     LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint, fit_line,
     fit_line_while, linear_strength,
 };
 pub use loss::Loss;
-pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};
+pub use observations::{Column, MOST_SAMPLES, Observations};
+pub use options::{FitOptions, MOST_STARTS};
 pub use plates::{FittedPlate, MOST_PLATES, PlateCurve, PlatesError, PlatesFit, fit_plates, fit_plates_while};
 pub use problem::Sought;
+pub use quantity::Quantity;
+pub use report::Fit;
 pub use search::StopReason;
 pub use setup::{Setup, SinkageSource};
 pub use shear_curves::{MOST_CURVES, ShearCurve, ShearError, ShearFit, fit_shear_curves, fit_shear_curves_while};

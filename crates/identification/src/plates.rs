@@ -17,7 +17,7 @@ use std::fmt;
 use nalgebra::{DMatrix, DVector};
 
 use crate::consent::{Consent, Stopped};
-use crate::finding::{Estimate, Identifiability};
+use crate::estimate::{Estimate, Identifiability};
 use crate::observations::MOST_SAMPLES;
 use crate::range::{self, finite, finite_ends};
 use crate::student::quantile_95;

@@ -4,13 +4,15 @@ use std::cell::Cell;
 use std::time::Instant;
 
 use nalgebra::DVector;
-use terramechanics::{Error, InvalidInput, Method, Sinkage, Slip};
+use terramechanics::{Error, Method, Sinkage, Slip};
 
 use crate::consent::Consent;
 use crate::error::FitError;
-use crate::fit::FitOptions;
 use crate::loss::Loss;
-use crate::observations::{Observations, Quantity};
+use crate::observations::Observations;
+use crate::obstacle::Obstacle;
+use crate::options::FitOptions;
+use crate::quantity::Quantity;
 use crate::range::is_summable;
 use crate::setup::{Prediction, Setup, SinkageSource};
 use crate::unknown::{Range, Scale, Unknown};
@@ -45,23 +47,6 @@ const LOOKS: u64 = 600;
 /// Rows by a closed form between two looks at the clock and questions to the caller: with a load to be balanced they take half a
 /// millisecond. An integral may take as long by itself, so that there each row looks.
 const ROWS_PER_LOOK: usize = 128;
-
-/// Why a point of the search has no residuals.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Obstacle {
-    /// The model refuses a row.
-    Row { row: usize, error: Error },
-    /// The values make no soil or no contact.
-    Values,
-    /// The evaluations or the time are spent, or the caller does not want to go on.
-    Budget,
-}
-
-impl From<InvalidInput> for Obstacle {
-    fn from(_: InvalidInput) -> Self {
-        Self::Values
-    }
-}
 
 /// A fit to be made.
 #[derive(Debug)]

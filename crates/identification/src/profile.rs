@@ -14,8 +14,8 @@
 //! determined. For the same reason an interval that passes narrowly reaches to the far end: chance has chosen it, and the usual one
 //! would be too short (the winner's curse).
 
-use crate::finding::{Bound, Identifiability};
-use crate::problem::Obstacle;
+use crate::estimate::{Bound, Identifiability};
+use crate::obstacle::Obstacle;
 use crate::uncertainty::Uncertainty;
 
 /// Rise at an end, over the presumed one, that has to be reached.

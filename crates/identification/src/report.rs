@@ -2,17 +2,64 @@
 
 use terramechanics::Error;
 
-use crate::design;
+use crate::design::{self, DesignGap};
 use crate::error::FitError;
+use crate::estimate::Estimate;
 use crate::finding::Judgement;
-use crate::fit::Fit;
 use crate::fitted_column::FittedColumn;
-use crate::observations::{Column, Quantity};
-use crate::problem::{Obstacle, Problem};
+use crate::observations::Column;
+use crate::obstacle::Obstacle;
+use crate::problem::Problem;
+use crate::quantity::Quantity;
 use crate::search::{Found, StopReason};
-use crate::setup::Prediction;
+use crate::setup::{Prediction, Setup};
 use crate::uncertainty::{Evidence, Scatter, Uncertainty};
 use crate::unknown::Unknown;
+
+/// The result of a fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// One per unknown, in the order asked for.
+    pub estimates: Vec<Estimate>,
+    /// Why the search ended.
+    pub stop: StopReason,
+    /// Steps of the best search.
+    pub iterations: u32,
+    /// Evaluations of the forces, over all starts.
+    pub evaluations: u64,
+    /// Correlation of the estimates; none with one that has no standard error.
+    pub correlation: Vec<Vec<Option<f64>>>,
+    /// Condition number of the derivatives with columns of length one; infinite where a direction is dead.
+    pub condition_number: f64,
+    /// Directions in which the data do not change: the share of every unknown, on the scale of its effect.
+    pub dead_directions: Vec<Vec<(Unknown, f64)>>,
+    /// What the operating points do not vary, and the unknowns that need it.
+    pub gaps: Vec<(DesignGap, Vec<Unknown>)>,
+    /// Measurements minus determined directions.
+    pub degrees_of_freedom: f64,
+    /// Sum of squares over the degrees of freedom, where standard deviations were given: about one if they and the model hold.
+    pub reduced_chi_square: Option<f64>,
+    /// The fitted columns.
+    pub columns: Vec<FittedColumn>,
+    /// Sinkage of every sample (m).
+    pub sinkage: Vec<f64>,
+    /// The setup with the estimates.
+    pub setup: Setup,
+}
+
+impl Fit {
+    /// Whether the search ended at a minimum. That alone does not make the estimates unique.
+    #[must_use]
+    pub fn converged(&self) -> bool {
+        self.stop.is_success()
+    }
+
+    /// Whether the data determine every unknown.
+    #[must_use]
+    pub fn is_identifiable(&self) -> bool {
+        self.estimates.iter().all(|estimate| estimate.identifiability.is_determined())
+    }
+}
 
 /// The account of the minimum `best`, beside `others` that are as good. The problem has a budget of its own for it.
 pub(crate) fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, FitError> {

@@ -10,7 +10,8 @@ use std::cell::Cell;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
-use crate::problem::{Obstacle, Problem};
+use crate::obstacle::Obstacle;
+use crate::problem::Problem;
 use crate::range::LARGEST;
 
 /// Why a search ended.

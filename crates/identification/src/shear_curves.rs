@@ -11,10 +11,10 @@ use std::fmt;
 use nalgebra::{DMatrix, DVector};
 
 use crate::consent::{Consent, Stopped};
-use crate::finding::{Bound, Estimate, Identifiability};
+use crate::estimate::{Bound, Estimate, Identifiability};
 use crate::loss::Loss;
 use crate::observations::MOST_SAMPLES;
-use crate::problem::Obstacle;
+use crate::obstacle::Obstacle;
 use crate::profile::Flanks;
 use crate::range::{self, finite, finite_ends};
 use crate::uncertainty::{Evidence, Scatter, Uncertainty};

@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use crate::consent::{Consent, POINTS_PER_QUESTION, Stopped};
 use crate::loss::Loss;
-use crate::problem::Obstacle;
+use crate::obstacle::Obstacle;
 use crate::range::{finite, is_summable};
 use crate::student::quantile_95;
 

@@ -1,6 +1,7 @@
 //! The cost of a fit about its minimum.
 
-use crate::problem::{Obstacle, Problem};
+use crate::obstacle::Obstacle;
+use crate::problem::Problem;
 use crate::profile::Valley;
 use crate::search::{Found, refitted_cost};
 use crate::uncertainty::Uncertainty;

@@ -9,7 +9,7 @@ use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
-use crate::hints::Hints;
+use crate::hints::{Hints, shortened};
 
 /// One thing wrong with a request.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -189,6 +189,15 @@ impl<'a> Scope<'a> {
             None => format!("{around}/{name}"),
             Some(index) => format!("{around}/{name}/{index}"),
         }
+    }
+}
+
+/// Reports a word that is not known.
+pub fn unknown_word(place: &Scope<'_>, word: &str, known: &[&str]) {
+    let word = shortened(word);
+    match place.hints().nearest(&word, known) {
+        Some(near) => place.fault(format_args!("unknown name `{word}`; did you mean `{near}`?")),
+        None => place.fault(format_args!("unknown name `{word}`; known are {}", known.join(", "))),
     }
 }
 

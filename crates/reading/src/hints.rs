@@ -1,8 +1,6 @@
 //! Which name was meant by one that is not known: the field of a textbook's symbol, the one with another unit, or the one that
 //! differs by a slip of the pen.
 
-use crate::fault::Scope;
-
 /// The words of a field of knowledge.
 #[derive(Debug)]
 pub struct Hints {
@@ -92,15 +90,6 @@ impl Hints {
             let field = known.iter().find(|field| field.strip_suffix(own) == Some(stem) || meant == Some(*field))?;
             Some(format!("`{field}` is {unit}: {conversion}"))
         })
-    }
-}
-
-/// Reports a word that is not known.
-pub fn unknown_word(place: &Scope<'_>, word: &str, known: &[&str]) {
-    let word = shortened(word);
-    match place.hints().nearest(&word, known) {
-        Some(near) => place.fault(format_args!("unknown name `{word}`; did you mean `{near}`?")),
-        None => place.fault(format_args!("unknown name `{word}`; known are {}", known.join(", "))),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::query::number;
+use crate::literal::number;
 use crate::shortened;
 
 /// A value as it was sent.

@@ -7,8 +7,8 @@ use utoipa::openapi::schema::{AdditionalProperties, Discriminator, ObjectBuilder
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::Scope;
+use crate::fault::unknown_word;
 use crate::field::{Components, Field, Kind, parameter, wrong_type};
-use crate::hints::unknown_word;
 use crate::node::{Fields, Node, is_same};
 use crate::number::Number;
 use crate::object::{Unknown, parameters_within, reference, report_oddities};

@@ -4,8 +4,8 @@ use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Ref, RefOr, Schema};
 
 use crate::fault::Scope;
+use crate::fault::unknown_word;
 use crate::field::{Components, Kind, wrong_type};
-use crate::hints::unknown_word;
 use crate::node::Node;
 use crate::reader::Defaulting;
 

@@ -6,9 +6,10 @@ use super::{RollingSample, StrengthBound, StrengthEstimate, StressPoint, linear_
 use crate::consent::Consent;
 use crate::design::{self, DesignGap};
 use crate::error::FitError;
-use crate::finding::{Bound, Estimate, Identifiability};
+use crate::estimate::{Bound, Estimate, Identifiability};
 use crate::fitted_column::FittedColumn;
-use crate::observations::{Column, Observations, Quantity};
+use crate::observations::{Column, Observations};
+use crate::quantity::Quantity;
 use crate::range::{finite, finite_ends, is_summable};
 use crate::setup::{Prediction, Setup, SinkageSource};
 use crate::student::quantile_95;

@@ -1,7 +1,7 @@
 //! The sum of squares of all shear tests, of which only the shear modulus has to be searched.
 
 use crate::consent::{Consent, POINTS_PER_QUESTION, Stopped};
-use crate::problem::Obstacle;
+use crate::obstacle::Obstacle;
 use crate::profile::Valley;
 use crate::uncertainty::Uncertainty;
 

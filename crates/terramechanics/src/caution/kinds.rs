@@ -1,23 +1,16 @@
 //! What is watched: each kind with the range in which its model was tested, who found the range, and what to do beyond it.
 
-use super::{CautionKind, TestedRange};
-use crate::pressure_sinkage::{Bekker, SinkageExponent};
+use super::{Caution, CautionKind, TestedRange};
+use crate::pressure_sinkage::{NEGATIVE_COHESIVE_MODULUS, SMALL_WHEEL, SinkageExponent};
 use crate::rolling::WheelOnSoil;
 use crate::soil::Soil;
 use crate::wheel::Wheel;
-
-/// Smallest diameter (m) for which Bekker's law holds without a correction (Meirion-Griffith & Spenko 2011).
-const SMALLEST_DIAMETER: f64 = 0.5;
 
 /// Largest sinkage over radius (–) of the single-wheel tests of Yoshida et al. 2003: 30 mm under a wheel of 90 mm.
 const LARGEST_SINKAGE_RATIO: f64 = 30.0 / 90.0;
 
 /// Largest slip (–) of the single-wheel tests to which slip gains were fitted (Ding et al. 2010, 2011).
 const LARGEST_FITTED_SLIP: f64 = 0.6;
-
-/// Width over the width −k_c/k_φ at which the sinkage modulus vanishes. Below this ratio a negative k_c takes away more than
-/// half of k_φ, and the modulus is an extrapolation.
-const SMALLEST_WIDTH_RATIO: f64 = 2.0;
 
 /// Sinkage over diameter (–) up to which Bekker's estimates were found good (Wong, Theory of Ground Vehicles, ch. 2).
 const MODERATE_DEPTH: f64 = 1.0 / 6.0;
@@ -34,30 +27,20 @@ const LARGEST_LOAD_RESIDUAL: f64 = 1e-9;
 /// Share of the pressure on the side wall below which all of it is more than twice what is there.
 const SMALLEST_MOBILISED_SHARE: f64 = 0.5;
 
-/// Declares the kinds and lists them, so that none is left out of the list.
+/// Declares the kinds and lists them, so that none is left out of the list; those of one law alone stand with the law.
 macro_rules! kinds {
-    ($($name:ident = $kind:expr;)+) => {
-        $(pub(crate) static $name: CautionKind = $kind;)+
+    ($($name:ident $(= $kind:expr)?;)+) => {
+        $($(pub(crate) static $name: CautionKind = $kind;)?)+
 
-        /// Everything that is watched.
-        pub(super) const ALL: [&CautionKind; [$(stringify!($name)),+].len()] = [$(&$name),+];
+        impl Caution {
+            /// Everything that is watched.
+            pub const KINDS: &'static [&'static CautionKind] = &[$(&$name),+];
+        }
     };
 }
 
 kinds! {
-    SMALL_WHEEL = CautionKind {
-        code: "small_wheel",
-        meaning: "Bekker's law was made for large plates and wheels and loses accuracy under small ones.",
-        advice: "Use the law `diameter`, which corrects for the wheel size.",
-        parameter: Some(&Wheel::RADIUS),
-        range: Some(TestedRange {
-            quantity: "diameter",
-            unit: "m",
-            lower: Some(SMALLEST_DIAMETER),
-            upper: None,
-            source: "Meirion-Griffith & Spenko 2011",
-        }),
-    };
+    SMALL_WHEEL;
     DEEP_SINKAGE = CautionKind {
         code: "deep_sinkage",
         meaning: "The wheel sinks deeper than in the tests named. Deeper tests are known of one wheel alone (Pavlov & Johnson \
@@ -174,20 +157,7 @@ kinds! {
             source: "Lines 2021",
         }),
     };
-    NEGATIVE_COHESIVE_MODULUS = CautionKind {
-        code: "negative_cohesive_modulus",
-        meaning: "A negative k_c is an artefact of its fit. At this width it takes away more than half of k_phi, and at a \
-                  ratio of 1 the modulus vanishes.",
-        advice: "Use a k_c that was fitted to plates of this width, or the law `direct`.",
-        parameter: Some(&Bekker::K_C),
-        range: Some(TestedRange {
-            quantity: "width over −k_c/k_φ",
-            unit: "1",
-            lower: Some(SMALLEST_WIDTH_RATIO),
-            upper: None,
-            source: "K_s = k_c/b + k_φ (Bekker 1969), which is 0 at b = −k_c/k_φ",
-        }),
-    };
+    NEGATIVE_COHESIVE_MODULUS;
     LOW_GRAVITY = CautionKind {
         code: "low_gravity",
         meaning: "The laws of pressure and shear were tested in the Earth's gravity. How sinkage changes in a lower gravity \

@@ -50,9 +50,6 @@ pub struct TestedRange {
 }
 
 impl Caution {
-    /// Everything that is watched.
-    pub const KINDS: &'static [&'static CautionKind] = &kinds::ALL;
-
     /// How far the value is outside the range, in the unit of the quantity.
     #[must_use]
     pub fn excess(&self) -> f64 {

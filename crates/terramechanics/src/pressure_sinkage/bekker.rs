@@ -10,10 +10,47 @@
 //! letter and in the works that use it.
 
 use super::{Plate, SinkageExponent};
-use crate::caution::{Caution, NEGATIVE_COHESIVE_MODULUS, SMALL_WHEEL};
+use crate::caution::{Caution, CautionKind, TestedRange};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{BEKKER, Citation, LETTER};
+use crate::wheel::Wheel;
+
+/// Smallest diameter (m) for which Bekker's law holds without a correction (Meirion-Griffith & Spenko 2011).
+const SMALLEST_DIAMETER: f64 = 0.5;
+
+/// Width over the width −k_c/k_φ at which the sinkage modulus vanishes. Below this ratio a negative k_c takes away more than
+/// half of k_φ, and the modulus is an extrapolation.
+const SMALLEST_WIDTH_RATIO: f64 = 2.0;
+
+pub(crate) static SMALL_WHEEL: CautionKind = CautionKind {
+    code: "small_wheel",
+    meaning: "Bekker's law was made for large plates and wheels and loses accuracy under small ones.",
+    advice: "Use the law `diameter`, which corrects for the wheel size.",
+    parameter: Some(&Wheel::RADIUS),
+    range: Some(TestedRange {
+        quantity: "diameter",
+        unit: "m",
+        lower: Some(SMALLEST_DIAMETER),
+        upper: None,
+        source: "Meirion-Griffith & Spenko 2011",
+    }),
+};
+
+pub(crate) static NEGATIVE_COHESIVE_MODULUS: CautionKind = CautionKind {
+    code: "negative_cohesive_modulus",
+    meaning: "A negative k_c is an artefact of its fit. At this width it takes away more than half of k_phi, and at a \
+              ratio of 1 the modulus vanishes.",
+    advice: "Use a k_c that was fitted to plates of this width, or the law `direct`.",
+    parameter: Some(&Bekker::K_C),
+    range: Some(TestedRange {
+        quantity: "width over −k_c/k_φ",
+        unit: "1",
+        lower: Some(SMALLEST_WIDTH_RATIO),
+        upper: None,
+        source: "K_s = k_c/b + k_φ (Bekker 1969), which is 0 at b = −k_c/k_φ",
+    }),
+};
 
 /// Bekker's law: K_s = k_c/b + k_φ.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,6 +7,7 @@ mod exponent;
 mod reece;
 
 pub use bekker::Bekker;
+pub(crate) use bekker::{NEGATIVE_COHESIVE_MODULUS, SMALL_WHEEL};
 pub use diameter::Diameter;
 pub use direct::Direct;
 pub use exponent::SinkageExponent;

@@ -1,0 +1,31 @@
+//! Torque and pull from a load that is measured.
+
+use terramechanics::{Angles, CoupledForces, Sinkage, Slip};
+
+use super::request::CoupledCase;
+use crate::problem::Problem;
+use crate::warning::{Warning, of_point};
+
+/// What follows from the load, and from the torque where that is measured.
+pub(crate) struct FoundCoupled {
+    pub(crate) slip: Slip,
+    pub(crate) sinkage: f64,
+    pub(crate) angles: Angles,
+    /// In the heading of the wheel.
+    pub(crate) forces: CoupledForces,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+/// Torque and pull from what was measured.
+///
+/// # Errors
+/// What the model refuses.
+pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
+    let CoupledCase { system, motion, sinkage, known } = case;
+    let refused = |error| Problem::refused(&error, &Sinkage::Given(*sinkage));
+    let rolling = system.rolling(motion.slip).map_err(refused)?;
+    let patch = rolling.contact(*sinkage).map_err(refused)?;
+    let forces = known.forces(&patch).map_err(refused)?.heading(motion.heading);
+    let warnings = of_point(forces.cautions(system, motion.slip, *sinkage), system, motion.heading);
+    Ok(FoundCoupled { slip: motion.slip, sinkage: *sinkage, angles: patch.angles, forces, warnings })
+}

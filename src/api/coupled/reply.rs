@@ -1,0 +1,49 @@
+//! The answer of `/v1/coupled`.
+
+use std::borrow::Cow;
+
+use serde::Serialize;
+use utoipa::ToSchema;
+
+use super::found::FoundCoupled;
+use crate::reply::{AnglesReply, Reply, one_row};
+use crate::warning::Warning;
+
+/// Torque and longitudinal force that follow from what was measured.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = CoupledForces)]
+pub(crate) struct CoupledReply {
+    /// Slip ratio s (–).
+    slip: f64,
+    /// Sinkage z (m).
+    sinkage_m: f64,
+    angles: AnglesReply,
+    /// Longitudinal force F_x, the drawbar pull (N).
+    longitudinal_force_n: f64,
+    /// Torque T about the axle (N·m): the one that was sent, else what follows from the load.
+    torque_n_m: f64,
+    warnings: Vec<Warning>,
+}
+
+impl From<FoundCoupled> for CoupledReply {
+    fn from(FoundCoupled { slip, sinkage, angles, forces, warnings }: FoundCoupled) -> Self {
+        Self {
+            slip: slip.ratio(),
+            sinkage_m: sinkage,
+            angles: angles.into(),
+            longitudinal_force_n: forces.longitudinal,
+            torque_n_m: forces.torque,
+            warnings,
+        }
+    }
+}
+
+impl Reply for CoupledReply {
+    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
+        one_row!(self; slip, sinkage_m, longitudinal_force_n, torque_n_m)
+    }
+
+    fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}

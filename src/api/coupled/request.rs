@@ -1,0 +1,59 @@
+//! The request of `/v1/coupled`.
+
+use terramechanics::{Braking, Coupled, Motion, WheelOnSoil};
+use terramechanics_reading::{Field, Number, Object, Reader};
+
+use crate::request::laws::field;
+use crate::request::method::NORMAL_STRESS_RADIUS;
+use crate::request::motion::{self, MOTION};
+use crate::request::sinkage::{LOAD, SINKAGE_M, within_wheel};
+use crate::request::soil::Needs;
+use crate::request::system::{self, SYSTEM};
+use crate::request::{Documented, Request};
+
+const SINKAGE: Field<Number> = Field { required: true, ..SINKAGE_M };
+const NORMAL_LOAD: Field<Number> =
+    Field::required(WheelOnSoil::NORMAL_LOAD.name, "Vertical load W on the wheel (N), as measured.", LOAD);
+const TORQUE: Field<Number> = field(
+    &WheelOnSoil::TORQUE,
+    "Torque T about the axle (N·m), where it was measured, in the direction of the angular velocity; else it follows from the load.",
+);
+
+/// What is measured, checked.
+pub(crate) struct CoupledCase {
+    pub(crate) system: WheelOnSoil,
+    pub(crate) motion: Motion,
+    pub(crate) sinkage: f64,
+    /// The load and the torque of the wheel moving forward, or of its mirror image.
+    pub(crate) known: Coupled,
+}
+
+pub(super) type CoupledRequest = Documented<CoupledCase>;
+
+impl Request for CoupledCase {
+    const OBJECT: &'static Object = &Object {
+        name: "CoupledRequest",
+        doc: "A wheel whose slip (`slip`, or both velocities), sinkage and load are measured, and maybe its torque. The soil's pressure–sinkage law cancels: it has no influence and may be left out.",
+        groups: &[SYSTEM, MOTION, &[&SINKAGE, &NORMAL_LOAD, &TORQUE, &NORMAL_STRESS_RADIUS]],
+    };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let system = system::read(object, Needs { pressure_sinkage: false, ..Needs::ALL });
+        let motion = motion::read(object, system.wheel.as_ref());
+        let sinkage = object.required(&SINKAGE).and_then(|z| within_wheel(object, z, system.wheel.as_ref()));
+        let normal_load = object.required(&NORMAL_LOAD);
+        let torque = object.optional(&TORQUE);
+        let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
+        let motion = motion?;
+        Some(Self {
+            system: system.whole(Braking::OneZone)?,
+            motion,
+            sinkage: sinkage?,
+            known: Coupled {
+                normal_load: normal_load?,
+                torque: torque?.map(|torque| motion.heading.as_forward(torque)),
+                normal_stress_radius: normal_stress_radius?,
+            },
+        })
+    }
+}

@@ -1,0 +1,70 @@
+//! Any parameters by any method, by a search.
+
+use std::time::Instant;
+
+use terramechanics_identification::{Bound, Fit, FitOptions, Observations, Setup, fit_while};
+
+use crate::api::identify::request::{FitCase, column_name, fit_fault};
+use crate::compute::Pace;
+use crate::problem::Problem;
+use crate::request::unknowns::name_of;
+use crate::warning::{Finding, Warning, implausible, system_warnings};
+
+/// What a search found.
+pub(crate) struct FoundFit {
+    pub(crate) setup: Setup,
+    pub(crate) observations: Observations,
+    pub(crate) fit: Fit,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+/// Sums of squares over the degrees of freedom beyond which the residuals are more than twice, or less than half, of what the
+/// standard deviations allow.
+const TOO_LARGE: f64 = 4.0;
+const TOO_SMALL: f64 = 0.25;
+
+pub(super) fn search(query: &FitCase, until: Instant, pace: &Pace) -> Result<FoundFit, Problem> {
+    let FitCase { setup, observations, sought, options, .. } = query;
+    let options = FitOptions { until: Some(until), ..*options };
+    let fit = fit_while(setup, observations, sought, &options, &|| pace.goes_on())
+        .map_err(|error| Problem::Invalid(vec![fit_fault(&error, &setup.sinkage)]))?;
+    let warnings = warnings(query, &fit);
+    Ok(FoundFit { setup: *setup, observations: observations.clone(), fit, warnings })
+}
+
+/// What there is to say of a fit as a whole.
+fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
+    let mut findings = Vec::new();
+    if !found.converged() {
+        findings.push(Finding::NotConverged { stop: found.stop });
+    }
+    if !found.is_identifiable() {
+        let open = found.estimates.iter().filter(|estimate| !estimate.identifiability.is_determined());
+        findings.push(Finding::NotIdentifiable { parameters: open.map(|estimate| name_of(estimate.unknown)).collect() });
+    }
+    for (gap, together) in &found.gaps {
+        findings.push(Finding::gap(*gap, together.iter().map(|&unknown| name_of(unknown)).collect()));
+    }
+    for estimate in &found.estimates {
+        if let Some(bound) = estimate.at_bound {
+            let end = if bound == Bound::Lower { "lower" } else { "upper" };
+            findings.push(Finding::AtBound { parameter: name_of(estimate.unknown), end, bound: estimate.value });
+        }
+    }
+    for column in found.columns.iter().filter(|column| column.is_missed()) {
+        let (rmse, share) = (column.rmse, column.rmse / column.size());
+        findings.push(Finding::ColumnMissed { column: column_name(column.quantity), rmse, share });
+    }
+    match found.reduced_chi_square {
+        Some(ratio) if ratio < TOO_SMALL => findings.push(Finding::DeviationsTooLarge {}),
+        Some(ratio) if ratio > TOO_LARGE => findings.push(Finding::ModelMisfit { ratio: ratio.sqrt() }),
+        _ => {}
+    }
+    let mut warnings: Vec<Warning> = system_warnings(&found.setup.wheel, &found.setup.soil).collect();
+    warnings.extend(findings.into_iter().map(Warning::from));
+    warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base)));
+    if query.law_replaced {
+        warnings.push(Finding::LawReplaced {}.into());
+    }
+    warnings
+}

@@ -1,0 +1,126 @@
+//! The forward model of a fit: what is known of it, and the starts of what is fitted.
+
+use terramechanics::{Contact, ContactParams, ForceModel, PeakRule, SlipSinkage, Wheel, WongReece};
+use terramechanics_identification::{Setup, SinkageSource, Unknown};
+use terramechanics_reading::Reader;
+
+use super::data::{DATA, NORMAL, SINKAGE};
+use super::{PARTIAL_SOIL, SLIP_SINKAGE_OF_FIT};
+use crate::request::method::{self, NORMAL_STRESS_RADIUS, PEAK_SINKAGE};
+use crate::request::sinkage;
+use crate::request::soil::{self, FoundSoil, LawOrigin, Needs};
+use crate::request::system::{self, CONTACT};
+use crate::request::unknowns::{self, By, name_of};
+
+/// What is sought, and where from.
+pub(super) struct Sought<'a> {
+    pub(super) fitted: &'a [Unknown],
+    pub(super) starts: &'a By<f64>,
+    /// Whether the pressure–sinkage law has an influence.
+    pub(super) needs_law: bool,
+}
+
+impl Sought<'_> {
+    fn start(&self, unknown: Unknown) -> f64 {
+        unknowns::of(self.starts, unknown).unwrap_or(unknown.typical())
+    }
+
+    fn has(&self, unknown: Unknown) -> bool {
+        self.fitted.contains(&unknown)
+    }
+}
+
+/// A forward model as far as it could be read.
+pub(super) struct Found {
+    pub(super) setup: Option<Setup>,
+    pub(super) wheel: Option<Wheel>,
+    pub(super) law: Option<LawOrigin>,
+}
+
+/// The forward model, with starts for what is fitted and known nowhere.
+pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader<'_>>) -> Found {
+    let start_of = |name: &str| {
+        let unknown = sought.fitted.iter().copied().find(|&unknown| name_of(unknown) == name)?;
+        Some(sought.start(unknown))
+    };
+    let needs = Needs { pressure_sinkage: sought.needs_law, fitted: &start_of, ..Needs::ALL };
+    let wheel = system::read_wheel(object);
+    let soil = read_soil(object, sought, needs);
+    let contact = system::read_contact(object, soil.as_ref(), needs);
+    let peak_depth = object.optional(&PEAK_SINKAGE);
+    let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
+    let method = method::read(object, peak_depth.flatten());
+    let source = sinkage_source(object, sought, data);
+    let setup = || {
+        peak_depth?;
+        Some(Setup {
+            wheel: wheel?,
+            soil: *soil?.soil.params(),
+            contact: contact_params(object, &contact?, sought),
+            model: ForceModel { method: method?, normal_stress_radius: normal_stress_radius? },
+            sinkage: source?,
+        })
+    };
+    Found { setup: setup(), wheel, law: soil.map(|soil| soil.law) }
+}
+
+/// The soil; one of which nothing is said has to be fitted as a whole.
+fn read_soil(object: &Reader<'_>, sought: &Sought<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
+    let lacking = lacking(sought);
+    if !object.has(&PARTIAL_SOIL) && !lacking.is_empty() {
+        let lacking = lacking.join(", ");
+        let place = object.place_of(&PARTIAL_SOIL);
+        place.fault(format_args!("a soil is needed: neither given nor fitted are {lacking}"));
+        return None;
+    }
+    soil::read(&object.or_empty(&PARTIAL_SOIL)?, needs)
+}
+
+/// The contact; where c1 or c2 is fitted and nothing was said of the contact, it follows Wong & Reece's rule.
+fn contact_params(object: &Reader<'_>, contact: &Contact, sought: &Sought<'_>) -> ContactParams {
+    let params = *contact.params();
+    let (c1, c2) = (Unknown::PeakIntercept, Unknown::PeakSlipGain);
+    match params.rule {
+        PeakRule::Midpoint | PeakRule::HalfSinkage if (sought.has(c1) || sought.has(c2)) && !object.has(&CONTACT) => {
+            let c2 = if sought.has(c2) { sought.start(c2) } else { 0.0 };
+            let c1 = if sought.has(c1) { sought.start(c1) } else { 0.5 };
+            ContactParams { rule: PeakRule::WongReece(WongReece { c1, c2 }), ..params }
+        }
+        _ => params,
+    }
+}
+
+/// Where the sinkage of a sample comes from.
+fn sinkage_source(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader<'_>>) -> Option<SinkageSource> {
+    let is_static = sought.has(Unknown::StaticSinkage);
+    let law: Option<SlipSinkage> = sinkage::law(object);
+    if object.has(&SLIP_SINKAGE_OF_FIT) && !is_static {
+        object.place_of(&SLIP_SINKAGE_OF_FIT).fault("needs `static_sinkage_m` among the parameters of `fit`");
+        return None;
+    }
+    let data = data?;
+    if is_static {
+        Some(SinkageSource::Static { static_sinkage: sought.start(Unknown::StaticSinkage), law: law? })
+    } else if data.has(&SINKAGE) {
+        Some(SinkageSource::Measured)
+    } else if data.has(&NORMAL) {
+        Some(SinkageSource::Load)
+    } else {
+        object.place_of(&DATA).fault("needs `sinkage_m`, or `normal_force_n` as the load");
+        None
+    }
+}
+
+/// What a soil has besides the parameters.
+fn lacking(sought: &Sought<'_>) -> Vec<&'static str> {
+    use Unknown as U;
+    let alone = [U::Cohesion, U::FrictionAngle, U::ShearModulus, U::BaseExponent];
+    let mut lacking: Vec<&'static str> = alone.into_iter().filter(|&unknown| !sought.has(unknown)).map(name_of).collect();
+    match [U::SinkageModulus, U::CohesiveModulus, U::FrictionalModulus].map(|unknown| sought.has(unknown)) {
+        [true, ..] | [_, true, true] => {}
+        [false, true, false] => lacking.push("k_phi"),
+        [false, false, true] => lacking.push("k_c"),
+        [false, false, false] => lacking.push("k_s (or k_c and k_phi)"),
+    }
+    lacking
+}

@@ -1,0 +1,34 @@
+//! The request of `/v1/slip-sweep`.
+
+use terramechanics::{Operation, Slip};
+use terramechanics_reading::{Object, Reader};
+
+use crate::request::axis::{self, SLIPS};
+use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
+use crate::request::side_slip::{self, SIDE_SLIP};
+use crate::request::sinkage::{self, SINKAGE};
+use crate::request::system::SYSTEM;
+use crate::request::{Documented, Request, operation};
+
+/// A sweep, checked.
+pub(crate) struct SweepCase {
+    pub(crate) operation: Operation,
+    pub(crate) slips: Vec<Slip>,
+}
+
+pub(super) type SweepRequest = Documented<SweepCase>;
+
+impl Request for SweepCase {
+    const OBJECT: &'static Object = &Object {
+        name: "SlipSweepRequest",
+        doc: "The forces over a range or a list of slips, at a sinkage given in exactly one of three ways (`sinkage_m`, `static_sinkage_m`, `normal_load_n`).",
+        groups: &[SYSTEM, &[&SLIPS], SINKAGE, METHOD, STRESSES, BRAKING, LAMBDAS, SIDE_SLIP],
+    };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let method = |object: &Reader<'_>, peak| side_slip::read(object, method::read(object, peak));
+        let operation = operation::read(object, sinkage::read, method).operation;
+        let slips = axis::read(object, &SLIPS);
+        Some(Self { operation: operation?, slips: slips? })
+    }
+}

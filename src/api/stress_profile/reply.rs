@@ -1,0 +1,86 @@
+//! The answer of `/v1/stress-profile`.
+
+use std::borrow::Cow;
+
+use serde::Serialize;
+use terramechanics::StressProfile;
+use utoipa::ToSchema;
+
+use super::found::FoundProfile;
+use crate::quantity::{About, Columns, Field, Shape};
+use crate::reply::{AnglesReply, Reply};
+use crate::warning::Warning;
+
+/// Stresses along the rim, exact and linearised.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = StressProfile)]
+pub(crate) struct ProfileReply {
+    /// Slip ratio s (–).
+    slip: f64,
+    /// Sinkage z (m).
+    sinkage_m: f64,
+    angles: AnglesReply,
+    peak: PeakReply,
+    columns: ProfileColumns,
+    warnings: Vec<Warning>,
+}
+
+/// The exact stresses at the angle of maximum stress.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Peak)]
+struct PeakReply {
+    /// Normal stress σ (Pa).
+    normal_stress_pa: f64,
+    /// Shear stress τ (Pa).
+    shear_stress_pa: f64,
+}
+
+/// Columns along the rim.
+#[derive(Debug)]
+struct AlongRim;
+
+type ProfileColumns = Columns<AlongRim>;
+
+static COLUMNS: [About; 6] = [
+    About::new("theta_rad", "θ", "rad", "place on the rim, ascending"),
+    About::new("sinkage_m", "z(θ)", "m", "depth that presses there"),
+    About::new("normal_stress_pa", "σ", "Pa", "normal stress"),
+    About::new("shear_stress_pa", "τ", "Pa", "shear stress"),
+    About::new("normal_stress_linear_pa", "σ", "Pa", "linearised normal stress; null where a braking wheel has two zones"),
+    About::new("shear_stress_linear_pa", "τ", "Pa", "linearised shear stress; null where a braking wheel has two zones"),
+];
+
+impl Shape for AlongRim {
+    const NAME: &'static str = "ProfileColumns";
+    const DOC: &'static str = "Columns of one length, from exit to entry.";
+
+    fn fields() -> Vec<Field> {
+        let (exact, linear) = COLUMNS.split_at(4);
+        exact.iter().map(Field::always).chain(linear.iter().map(Field::or_null)).collect()
+    }
+}
+
+impl From<FoundProfile> for ProfileReply {
+    fn from(found: FoundProfile) -> Self {
+        let FoundProfile { slip, sinkage, angles, peak, profile, warnings } = found;
+        let StressProfile { theta, depth, normal, shear, normal_linear, shear_linear } = profile;
+        Self {
+            slip: slip.ratio(),
+            sinkage_m: sinkage,
+            angles: angles.into(),
+            peak: PeakReply { normal_stress_pa: peak.normal, shear_stress_pa: peak.shear },
+            columns: Columns::of_numbers(&COLUMNS, [theta, depth, normal, shear, normal_linear, shear_linear]),
+            warnings,
+        }
+    }
+}
+
+impl Reply for ProfileReply {
+    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
+        self.columns.as_table()
+    }
+
+    fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}

@@ -1,0 +1,46 @@
+//! The request of `/v1/stress-profile`.
+
+use terramechanics::{Method, Motion, Operation, PeakDepth};
+use terramechanics_reading::{Field, Number, Object, Reader};
+
+use crate::request::method::{BRAKING, STRESSES};
+use crate::request::motion::{self, MOTION};
+use crate::request::sinkage::{self, SINKAGE};
+use crate::request::system::SYSTEM;
+use crate::request::{Documented, Request, operation};
+
+const POINTS: Field<Number> = Field::new(
+    "points",
+    "Number of places from exit to entry; the angle of maximum stress is always one of them, so 2 gives 3.",
+    Number::new("1", 2.0, 10_001.0).whole().or(201.0),
+);
+
+/// A profile, checked.
+pub(crate) struct ProfileCase {
+    pub(crate) operation: Operation,
+    pub(crate) motion: Motion,
+    pub(crate) peak_depth: PeakDepth,
+    pub(crate) points: usize,
+}
+
+pub(super) type ProfileRequest = Documented<ProfileCase>;
+
+impl Request for ProfileCase {
+    const OBJECT: &'static Object = &Object {
+        name: "StressProfileRequest",
+        doc: "The stresses along the rim at one operating point, exact and linearised. With `normal_load_n` the quadrature solves the sinkage.",
+        groups: &[SYSTEM, MOTION, SINKAGE, STRESSES, BRAKING, &[&POINTS]],
+    };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let found = operation::read(object, sinkage::read, |_, _| Some(Method::Quadrature));
+        let motion = motion::read(object, found.wheel.as_ref());
+        let points = object.or_default(&POINTS);
+        Some(Self {
+            operation: found.operation?,
+            motion: motion?,
+            peak_depth: found.peak_depth.unwrap_or(PeakDepth::Geometric),
+            points: points? as usize,
+        })
+    }
+}

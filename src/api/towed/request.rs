@@ -1,0 +1,43 @@
+//! The request of `/v1/towed`.
+
+use terramechanics::{Braking, ForceModel, Method, Operation, Sinkage, WheelOnSoil};
+use terramechanics_reading::{Field, Number, Object, Reader, Word};
+
+use crate::request::method::{BRAKING_FIELD, BRAKING_LAWS};
+use crate::request::sinkage::LOAD;
+use crate::request::soil::Needs;
+use crate::request::system::{self, SYSTEM};
+use crate::request::{Documented, Request};
+
+const NORMAL_LOAD: Field<Number> =
+    Field::required(WheelOnSoil::NORMAL_LOAD.name, "Vertical load W (N) that the wheel carries.", LOAD);
+const BRAKING: Field<Word<Braking>> = Field::new(
+    BRAKING_FIELD.name,
+    "Law for the towed wheel. two_zone: Wong & Reece's, whose shear reverses at the peak of the stresses; one_zone: the displacement of a driving wheel continued.",
+    BRAKING_LAWS.or(Braking::TwoZone),
+);
+
+/// A towed wheel, checked: the load stands as its way to the sinkage.
+pub(crate) struct TowedCase {
+    pub(crate) operation: Operation,
+    pub(crate) load: f64,
+}
+
+pub(super) type TowedRequest = Documented<TowedCase>;
+
+impl Request for TowedCase {
+    const OBJECT: &'static Object = &Object {
+        name: "TowedRequest",
+        doc: "A wheel that is towed and rolls freely under a load. Of the contact, two zones use c3 alone: their peak is where they part.",
+        groups: &[SYSTEM, &[&NORMAL_LOAD, &BRAKING]],
+    };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let system = system::read(object, Needs::ALL);
+        let load = object.required(&NORMAL_LOAD);
+        let braking = object.or_default(&BRAKING);
+        let (system, load) = (system.whole(braking?)?, load?);
+        let model = ForceModel::at_rim(Method::Quadrature);
+        Some(Self { operation: Operation { system, model, sinkage: Sinkage::CarryingLoad(load) }, load })
+    }
+}

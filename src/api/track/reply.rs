@@ -1,0 +1,47 @@
+//! The answer of `/v1/track`.
+
+use serde::Serialize;
+use terramechanics::Event;
+use utoipa::ToSchema;
+
+use super::found::FoundTrack;
+use crate::quantity::SampleColumns;
+use crate::warning::Warning;
+
+/// A wheel over time.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Track)]
+pub(crate) struct TrackReply {
+    columns: SampleColumns,
+    /// When the wheel was stuck; the first thousand times.
+    events: Vec<EventReply>,
+    warnings: Vec<Warning>,
+}
+
+impl TrackReply {
+    /// The columns of a run with its findings.
+    pub(crate) fn of(columns: SampleColumns, FoundTrack { events, warnings, .. }: FoundTrack) -> Self {
+        Self { columns, events: events.iter().map(EventReply::from).collect(), warnings }
+    }
+}
+
+/// A time in which the wheel was stuck.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = TrackEvent)]
+pub(crate) struct EventReply {
+    /// `stall`: the slip stayed high; `entrapment`: the wheel sank deep.
+    #[schema(example = "stall")]
+    pub(crate) code: &'static str,
+    /// Index of the sample, from 0, at which it began.
+    pub(crate) row: u64,
+    /// Its time (s).
+    pub(crate) from_s: f64,
+    /// Time of the last sample at which it held (s).
+    pub(crate) to_s: f64,
+}
+
+impl From<&Event> for EventReply {
+    fn from(event: &Event) -> Self {
+        Self { code: event.kind.code(), row: event.row, from_s: event.from, to_s: event.to }
+    }
+}

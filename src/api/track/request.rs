@@ -1,0 +1,169 @@
+//! The request of `/v1/track`.
+
+use terramechanics::{Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
+use terramechanics_identification::RunningStrength;
+use terramechanics_reading::{
+    Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected, read,
+};
+
+use super::plan::{self, TrackPlan};
+use super::samples::{self, COLUMNS, Samples};
+use crate::request::laws::field_or_default;
+use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
+use crate::request::sinkage::{LOAD, SLIP_SINKAGE, STATIC_SINKAGE, law_beside_static};
+use crate::request::system::SYSTEM;
+use crate::request::{Documented, Request, operation};
+use crate::series::{ExtraColumns, Layout};
+use crate::words::HINTS;
+
+const NORMAL_LOAD: Field<Number> = Field::new(
+    WheelOnSoil::NORMAL_LOAD.name,
+    "Vertical load W (N), unless it is a column; the sinkage is solved so that F_z = W where it is neither measured nor static.",
+    LOAD,
+);
+const EXTRA_COLUMNS: Field<Word<ExtraColumns>> = Field::new(
+    "extra_columns",
+    "What becomes of columns that no sample has, such as the voltage of a battery: refuse names them all; ignore leaves them out, though the schema of the columns does not list them.",
+    Word::new(&[("refuse", ExtraColumns::Refuse), ("ignore", ExtraColumns::Ignore)]).or(ExtraColumns::Refuse),
+);
+const COLUMNS_FIELD: Field<&Object> = Field::required("columns", "The samples.", &COLUMNS);
+
+const FORGETTING: Field<Number> = Field::new(
+    "forgetting_factor",
+    "Weight (–) that a sample keeps as the next one comes; 1 forgets none.",
+    Number::new("1", 0.5, 1.0).or(0.99),
+);
+const STRENGTH_OBJECT: Object = Object {
+    name: "TrackStrength",
+    doc: "A running estimate of the soil's strength by recursive least squares (Iagnemma et al. 2004), with its covariance.",
+    groups: &[&[&FORGETTING]],
+};
+const STRENGTH: Field<OneOf> = Field::new(
+    "strength",
+    "Asks for a running estimate of cohesion and friction, for linear stresses, which bias both; true for its defaults. Needs the columns torque_n_m and sinkage_m, as measured, and a load.",
+    OneOf::new("an object or true", &[Alternative::Asked(&STRENGTH_OBJECT, "The running estimate.")]),
+);
+
+const STALL_SLIP: Field<Number> = field_or_default(&Thresholds::STALL_SLIP, "Slip (–) from which on the wheel may stall.");
+const STALL_TIME: Field<Number> = field_or_default(&Thresholds::STALL_TIME, "Time (s) for which the slip has to stay there.");
+const ENTRAPMENT: Field<Number> =
+    field_or_default(&Thresholds::ENTRAPMENT_SINKAGE_RATIO, "Share of the radius (–) beyond which the sinkage is an entrapment.");
+const THRESHOLDS_OBJECT: Object = Object {
+    name: "TrackThresholds",
+    doc: "When the wheel counts as stuck. The defaults are chosen for want of a published rule.",
+    groups: &[&[&STALL_SLIP, &STALL_TIME, &ENTRAPMENT]],
+};
+const THRESHOLDS: Field<&Object> = Field::new("thresholds", "When the wheel counts as stuck.", &THRESHOLDS_OBJECT);
+
+/// All of a request but the samples.
+#[derive(Debug, Clone)]
+pub(crate) struct TrackSettings {
+    pub(crate) operation: Operation,
+    /// The sinkage that follows from a static one.
+    from_static: Option<Sinkage>,
+    normal_load: Option<f64>,
+    pub(crate) tracker: Tracker,
+    /// The running estimate of the strength, where it is asked for.
+    pub(crate) strength: Option<RunningStrength>,
+    pub(crate) extra_columns: ExtraColumns,
+}
+
+/// A run over samples in memory, checked.
+pub(crate) struct TrackCase {
+    pub(crate) settings: TrackSettings,
+    pub(crate) samples: Samples,
+}
+
+/// When the wheel counts as stuck.
+fn thresholds(object: &Reader<'_>) -> Option<Thresholds> {
+    let thresholds = object.or_empty(&THRESHOLDS)?;
+    let stall_slip = thresholds.or_default(&STALL_SLIP);
+    let stall_time = thresholds.or_default(&STALL_TIME);
+    let ratio = thresholds.or_default(&ENTRAPMENT);
+    Some(Thresholds { stall_slip: stall_slip?, stall_time: stall_time?, entrapment_sinkage_ratio: ratio? })
+}
+
+/// The estimate before the first sample, for a wheel on a soil whose shear modulus is known; none where it is not asked for.
+fn strength(object: &Reader<'_>, operation: &Operation) -> Option<Option<RunningStrength>> {
+    let Some(Either::Object(asked)) = object.optional(&STRENGTH)? else { return Some(None) };
+    let forgetting = asked.or_default(&FORGETTING)?;
+    if !matches!(operation.system.soil.shear(), Some(ShearLaw::JanosiHanamoto(_))) {
+        asked.place().fault("is known for the shear law janosi_hanamoto only");
+        return None;
+    }
+    RunningStrength::new(operation.system, operation.model.normal_stress_radius, forgetting).map(Some)
+}
+
+/// All but the samples.
+fn settings(object: &Reader<'_>, extra_columns: Option<ExtraColumns>) -> Option<TrackSettings> {
+    let (static_sinkage, normal_load) = (object.optional(&STATIC_SINKAGE), object.optional(&NORMAL_LOAD));
+    let law = law_beside_static(object);
+    // Every sample brings a sinkage of its own; this one only says of what kind most of them are.
+    let kind = if object.has(&NORMAL_LOAD) { Sinkage::CarryingLoad(1.0) } else { Sinkage::Given(1.0) };
+    let found = operation::read(object, |_, _| Some(kind), method::read);
+    let thresholds = thresholds(object);
+    let law = law?;
+    let from_static = static_sinkage?.map(|static_sinkage| Sinkage::FromStatic { static_sinkage, law });
+    let operation = Operation { sinkage: from_static.unwrap_or(kind), ..found.operation? };
+    let tracker = Tracker::new(operation, thresholds?).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let strength = strength(object, &operation)?;
+    let (normal_load, extra_columns) = (normal_load?, extra_columns?);
+    Some(TrackSettings { operation, from_static, normal_load, tracker, strength, extra_columns })
+}
+
+pub(super) type TrackRequest = Documented<TrackCase>;
+
+impl Request for TrackCase {
+    const OBJECT: &'static Object = &Object {
+        name: "TrackRequest",
+        doc: "A wheel followed over time. The sinkage of a sample is the measured one if there is a column `sinkage_m`; else it follows from `static_sinkage_m`, or is solved for `normal_load_n`, of which one has to be given.",
+        groups: &[
+            SYSTEM,
+            &[&STATIC_SINKAGE, &SLIP_SINKAGE, &NORMAL_LOAD],
+            METHOD,
+            BRAKING,
+            STRESSES,
+            LAMBDAS,
+            &[&THRESHOLDS, &STRENGTH, &COLUMNS_FIELD, &EXTRA_COLUMNS],
+        ],
+    };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let extra = object.or_default(&EXTRA_COLUMNS);
+        let settings = settings(object, extra);
+        let unknown = if extra == Some(ExtraColumns::Ignore) { Unknown::Ignored } else { Unknown::Refused };
+        let columns = object.opened(&COLUMNS_FIELD, unknown);
+        if let Some(None) = columns {
+            object.place_of(&COLUMNS_FIELD).fault("is required");
+        }
+        let columns = columns.flatten()?;
+        let samples = samples::read(&columns);
+        let (static_sinkage, load) = (object.has(&STATIC_SINKAGE), object.has(&NORMAL_LOAD));
+        plan::check_columns(samples::layout(&columns), static_sinkage, load, object.has(&STRENGTH), object.place());
+        Some(Self { settings: settings?, samples: samples? })
+    }
+}
+
+/// The settings of a run whose samples come as a stream, or all their faults.
+pub(crate) fn checked_settings(query: &Node<'_>) -> Result<TrackSettings, Vec<FieldFault>> {
+    read(query, TrackCase::OBJECT, &HINTS, |object| {
+        if object.has(&COLUMNS_FIELD) {
+            object.place_of(&COLUMNS_FIELD).fault("the body has the samples");
+        }
+        settings(object, object.or_default(&EXTRA_COLUMNS))
+    })
+}
+
+impl TrackSettings {
+    /// How samples with the columns of `layout` are understood.
+    ///
+    /// # Errors
+    /// The faults of its columns.
+    pub(crate) fn plan(&self, layout: Layout) -> Result<TrackPlan, Vec<FieldFault>> {
+        let Self { from_static, normal_load, strength, .. } = self;
+        collected(&HINTS, |place| {
+            plan::check_columns(layout, from_static.is_some(), normal_load.is_some(), strength.is_some(), place)
+                .then_some(TrackPlan { layout, from_static: *from_static, normal_load: *normal_load })
+        })
+    }
+}

@@ -1,0 +1,93 @@
+//! Results of a run, row by row, with an end that tells a whole answer from one that was cut.
+
+use std::io::Write;
+
+use serde::Serialize;
+
+use super::found::FoundTrack;
+use super::reply::EventReply;
+use crate::quantity::{Beside, Cell, Digits, Row, SampleCells, line};
+use crate::warning::Warning;
+
+/// A format that is written row by row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum RowFormat {
+    /// A header, a row per sample; at the end comments after `#`, of which the last is `#end,<rows>`.
+    Csv,
+    /// An object per sample; at the end an object with `end`.
+    Ndjson,
+}
+
+/// Writes the rows of a run.
+#[derive(Debug, Clone)]
+pub(crate) struct Table {
+    format: RowFormat,
+    cells: SampleCells,
+}
+
+impl Table {
+    pub(crate) fn new(format: RowFormat, beside: Beside) -> Self {
+        Self { format, cells: SampleCells::with(beside) }
+    }
+
+    /// What stands before the first row.
+    pub(crate) fn head(&self, out: &mut Vec<u8>) {
+        if self.format == RowFormat::Csv {
+            self.cells.header(out);
+        }
+    }
+
+    pub(crate) fn row(&self, row: &Row<'_>, out: &mut Vec<u8>) {
+        match self.format {
+            RowFormat::Csv => self.cells.csv(row, out),
+            RowFormat::Ndjson => self.cells.ndjson(row, out),
+        }
+    }
+
+    /// What stands behind the last row of a whole answer.
+    pub(crate) fn end(&self, FoundTrack { rows, events, warnings }: &FoundTrack, out: &mut Vec<u8>) {
+        let events: Vec<EventReply> = events.iter().map(EventReply::from).collect();
+        match self.format {
+            RowFormat::Csv => {
+                for warning in warnings {
+                    comment(&["warning", warning.code(), &warning.detail()], out);
+                }
+                for EventReply { code, row, from_s, to_s } in &events {
+                    let mut times = Vec::new();
+                    line([Cell::Number(*from_s), Cell::Number(*to_s)], Digits::Json, &mut times);
+                    let times = String::from_utf8(times).unwrap_or_default();
+                    comment(&["event", code, &row.to_string(), times.trim_end()], out);
+                }
+                comment(&["end", &rows.to_string()], out);
+            }
+            RowFormat::Ndjson => json(&Last { end: true, rows: *rows, warnings, events: &events }, out),
+        }
+    }
+
+    /// What stands behind the last row where the run ended before its time.
+    pub(crate) fn broken(&self, problem: &str, out: &mut Vec<u8>) {
+        match self.format {
+            RowFormat::Csv => comment(&["error", problem], out),
+            RowFormat::Ndjson => json(&serde_json::json!({ "error": problem }), out),
+        }
+    }
+}
+
+/// The last line of a whole answer.
+#[derive(Serialize)]
+struct Last<'a> {
+    end: bool,
+    rows: u64,
+    warnings: &'a [Warning],
+    events: &'a [EventReply],
+}
+
+/// A comment of several cells; the last may be any text without a line end.
+fn comment(cells: &[&str], out: &mut Vec<u8>) {
+    let _ = writeln!(out, "#{}", cells.join(",").replace(['\n', '\r'], " "));
+}
+
+fn json<T: Serialize>(value: &T, out: &mut Vec<u8>) {
+    let _ = serde_json::to_writer(&mut *out, value);
+    out.push(b'\n');
+}

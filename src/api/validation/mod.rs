@@ -1,0 +1,94 @@
+//! `GET /v1/validation` and its single sets.
+
+mod columns;
+mod found;
+mod reply;
+
+use std::sync::OnceLock;
+
+use axum::body::Bytes;
+use axum::extract::State;
+use axum::response::Response;
+use serde::Serialize;
+use serde_json::{Value, json};
+use utoipa::ToSchema;
+
+use super::catalogue::unknown;
+use super::responses::{InvalidQuery, Limits, UnknownName};
+use crate::answer::{json_text, written};
+use crate::compute::{Cost, Pace};
+use crate::contract::Example;
+use crate::extract::{AskedFormat, FormatParameter, NoQuery};
+use crate::name::Name;
+use crate::problem::Problem;
+use crate::state::Service;
+use crate::validation;
+use reply::ValidationSet;
+
+/// Published measurements, with what the methods give for them.
+#[derive(Serialize, ToSchema)]
+#[schema(as = Validation)]
+struct ValidationReply {
+    sets: &'static [ValidationSet],
+}
+
+/// The sets do not change, so they are computed once, by the first who asks.
+static SETS: OnceLock<Vec<ValidationSet>> = OnceLock::new();
+
+fn sets() -> &'static [ValidationSet] {
+    SETS.get_or_init(|| validation::records().iter().map(|record| found::validation(record).into()).collect())
+}
+
+fn cost() -> Cost {
+    if SETS.get().is_some() { Cost::NONE } else { Cost::of_validation(validation::quadratures()) }
+}
+
+/// Published measurements, with what the methods give for them
+///
+/// Each set has its source, the wheel and soil that stand for the measured ones, and the errors of every method under the
+/// measured load. Where parameters were fitted to the very measurements, `fitted` is true: those errors are no predictions.
+/// Braking wheels are run by both laws of braking, wheels at a slip angle by the quadrature with every `shear_coupling` and
+/// `bulldozing`. The same comes as a table for one set.
+#[utoipa::path(get, path = "/v1/validation", tag = "catalogue", responses((status = 200, description = "The sets", body = ValidationReply), InvalidQuery, Limits))]
+pub(crate) async fn validation(State(service): State<Service>, _: NoQuery) -> Result<Response, Problem> {
+    static TEXT: OnceLock<Bytes> = OnceLock::new();
+    let text = || TEXT.get_or_init(|| serde_json::to_vec(&ValidationReply { sets: sets() }).unwrap_or_default().into());
+    service.pool().run(cost(), move |_| Ok(json_text(text().clone()))).await
+}
+
+/// One set of published measurements
+///
+/// With `Accept: text/csv` the columns come as a table, named `measured.column` and `predicted.series.column`.
+#[utoipa::path(
+    get,
+    path = "/v1/validation/{id}",
+    tag = "catalogue",
+    params(("id" = String, Path, description = "Name of the set", example = "ding-2011-smooth"), FormatParameter),
+    responses((status = 200, description = "The set", content((ValidationSet = "application/json"), (String = "text/csv"))), InvalidQuery, UnknownName, Limits)
+)]
+pub(crate) async fn validation_set(
+    State(service): State<Service>,
+    AskedFormat(format): AskedFormat,
+    Name(id): Name,
+) -> Result<Response, Problem> {
+    let work = move |_: &Pace| {
+        let set = sets().iter().find(|set| set.id == id).ok_or_else(|| unknown("validation set", &id, &validation::ids()))?;
+        written(set, format)
+    };
+    service.pool().run(cost(), work).await
+}
+
+/// One of the sets, as JSON and as a table.
+fn shown_set() -> Vec<(&'static str, Value)> {
+    let record = validation::record("ding-2011-smooth");
+    record.map(|record| Example::replies_of(&ValidationSet::from(found::validation(record)))).unwrap_or_default()
+}
+
+pub(crate) fn example() -> Example {
+    let json_alone = shown_set().into_iter().take(1).map(|(media_type, set)| (media_type, json!({ "sets": [set] })));
+    Example { request: None, replies: json_alone.collect() }
+}
+
+pub(crate) fn example_of_set() -> Example {
+    Example { request: None, replies: shown_set() }
+}

@@ -1,0 +1,151 @@
+//! The answer of `/v1/validation`.
+
+use std::borrow::Cow;
+
+use serde::Serialize;
+use serde_json::Value;
+use utoipa::ToSchema;
+
+use super::columns::{ForceColumns, ValidationColumns};
+use super::found::FoundSet;
+use crate::reply::Reply;
+use crate::request::soil::SoilObject;
+use crate::request::system::ContactObject;
+use crate::request::wheel::WheelObject;
+use crate::validation::{MeasurementGrade, Prediction, Record, root_mean_square};
+use crate::warning::Warning;
+
+/// A set of published measurements, with what each method gives for it.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = ValidationSet)]
+pub(crate) struct ValidationSet {
+    /// Its name in a path.
+    #[schema(example = "ding-2011-smooth")]
+    pub(crate) id: &'static str,
+    title: &'static str,
+    /// Where the measurements were published.
+    source: &'static str,
+    grade: MeasurementGrade,
+    /// What a user should know of it, above all where it is a hard case.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'static str>,
+    /// The wheel, ready for a request.
+    #[schema(value_type = WheelObject)]
+    wheel: &'static Value,
+    /// The soil, ready for a request.
+    #[schema(value_type = SoilObject)]
+    soil: &'static Value,
+    /// The contact, ready for a request; else that of the columns where they have one, what the catalogue measured with the
+    /// soil, or midpoint.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<ContactObject>)]
+    contact: Option<&'static Value>,
+    /// Slip angle β (rad), ready for a request; absent where the wheel went straight ahead.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    slip_angle_rad: Option<f64>,
+    /// Which parameters were fitted to these very measurements; absent where none were, and the results are predictions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fitted_to: Option<&'static str>,
+    /// Number of points.
+    points: usize,
+    /// The errors by method, and by what departs from the defaults of a request.
+    results: Vec<ValidationResult>,
+    columns: ValidationColumns,
+    warnings: Vec<Warning>,
+}
+
+/// How far one prediction is from the measurements: roots of the mean squares over the points that were measured and have a
+/// solution; null where there are none. Of two predictions that solve different points, the columns tell which.
+#[derive(Debug, Serialize, ToSchema)]
+struct ValidationResult {
+    /// Name of its columns under `columns.predicted`.
+    #[schema(example = "quadrature")]
+    series: &'static str,
+    method: &'static str,
+    /// Law of braking, `one_zone` or `two_zone`; it matters at slips below 0 only.
+    #[schema(example = "one_zone")]
+    braking: &'static str,
+    /// How the shear stresses along and across the wheel go together, `independent` or `coupled`; of sets at a slip angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    shear_coupling: Option<&'static str>,
+    /// Pressure on the side wall, `full` or `mobilised`; of sets at a slip angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    bulldozing: Option<&'static str>,
+    /// Whether parameters were fitted to these very measurements: then it is no prediction.
+    fitted: bool,
+    /// Error of the drawbar pull, at each point over its load (–).
+    drawbar_rmse_over_load: Option<f64>,
+    /// Error of the sinkage (m).
+    sinkage_rmse_m: Option<f64>,
+    /// Error of the torque (N·m).
+    torque_rmse_n_m: Option<f64>,
+    /// Error of the lateral force, at each point over its load (–).
+    lateral_rmse_over_load: Option<f64>,
+    /// Points with a solution.
+    solved: usize,
+    /// Points without a solution, which no error counts.
+    unsolved: usize,
+}
+
+impl ValidationResult {
+    fn of(record: &Record, prediction: &Prediction, measured: &ForceColumns, predicted: &ForceColumns) -> Self {
+        let error = |name: &str| {
+            let (predicted, measured) = (predicted.get(name)?, measured.get(name)?);
+            root_mean_square(predicted.iter().zip(measured).map(|(predicted, measured)| predicted - measured))
+        };
+        let run = prediction.run;
+        let unsolved = prediction.points().filter(Option::is_none).count();
+        Self {
+            series: run.series,
+            method: run.method,
+            braking: run.braking,
+            shear_coupling: run.side.map(|laws| laws.shear_coupling),
+            bulldozing: run.side.map(|laws| laws.bulldozing),
+            fitted: record.fitted_to.is_some(),
+            drawbar_rmse_over_load: error("drawbar_coefficient"),
+            sinkage_rmse_m: error("sinkage_m"),
+            torque_rmse_n_m: error("torque_n_m"),
+            lateral_rmse_over_load: error("lateral_coefficient"),
+            solved: record.points().slip.len() - unsolved,
+            unsolved,
+        }
+    }
+}
+
+impl From<FoundSet> for ValidationSet {
+    fn from(FoundSet { record, predictions, warnings }: FoundSet) -> Self {
+        let columns = ValidationColumns::of(record, &predictions);
+        let predicted = predictions.iter().zip(columns.predicted.each());
+        let results =
+            predicted.map(|(prediction, (_, of_run))| ValidationResult::of(record, prediction, &columns.measured, of_run));
+        Self {
+            id: &record.id,
+            title: &record.title,
+            source: &record.source,
+            grade: record.grade,
+            note: record.note.as_deref(),
+            wheel: &record.wheel,
+            soil: &record.soil,
+            contact: record.contact.as_ref(),
+            slip_angle_rad: record.side_slip.map(|side| side.angle()),
+            fitted_to: record.fitted_to.as_deref(),
+            points: record.points().slip.len(),
+            results: results.collect(),
+            columns,
+            warnings,
+        }
+    }
+}
+
+impl Reply for ValidationSet {
+    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
+        self.columns.named()
+    }
+
+    fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}

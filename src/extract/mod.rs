@@ -1,0 +1,12 @@
+//! What a handler takes from an HTTP request: a checked request, and the format of the answer.
+
+mod format;
+mod input;
+mod media;
+mod query;
+mod series_form;
+
+pub(crate) use format::Format;
+pub(crate) use input::Input;
+pub(crate) use query::{Asked, AskedFormat, AskedOnly, FormatParameter, NoQuery, read_query};
+pub(crate) use series_form::SeriesForm;

@@ -1,0 +1,96 @@
+//! What was found of one parameter, with words for people who do not fit every day.
+
+use serde::Serialize;
+use terramechanics_identification::{Bound, Estimate, Identifiability, Unknown};
+use utoipa::ToSchema;
+
+use crate::request::unknowns::name_of;
+use crate::warning::{gap_in_words, number};
+
+/// What was found of one parameter.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = ParameterEstimate)]
+pub(crate) struct EstimateReply {
+    /// Its name.
+    #[schema(example = "cohesion_pa")]
+    parameter: &'static str,
+    value: f64,
+    /// Standard error; null where the data leave the parameter open. At a bound it is what would hold without the bound.
+    standard_error: Option<f64>,
+    /// Interval of 95 %, not cut at the bounds; where the data bound the parameter from one side alone, the other end is its bound.
+    interval_95: Option<[f64; 2]>,
+    /// Whether it lies at a bound.
+    at_bound: bool,
+    /// Of the linear estimator on a soil with a pressure–sinkage law: how far linear stresses mislead it, by simulation: it minus the value with which the quadrature would have led to it; absent where the model has no answer for a sample.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    model_bias: Option<f64>,
+    /// Whether the data determine it, in words.
+    identifiability: String,
+}
+
+impl EstimateReply {
+    /// With how far linear stresses mislead it, where that can be told.
+    pub(crate) fn biased(self, model_bias: Option<f64>) -> Self {
+        Self { model_bias, ..self }
+    }
+}
+
+impl From<&Estimate> for EstimateReply {
+    fn from(estimate: &Estimate) -> Self {
+        let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
+        Self {
+            parameter: name_of(estimate.unknown),
+            value: estimate.value,
+            standard_error: finite(estimate.standard_error),
+            interval_95: estimate.interval.filter(|interval| interval.iter().all(|end| end.is_finite())),
+            at_bound: estimate.at_bound.is_some(),
+            model_bias: None,
+            identifiability: identifiability(estimate),
+        }
+    }
+}
+
+fn list(unknowns: &[Unknown]) -> String {
+    unknowns.iter().map(|&unknown| name_of(unknown)).collect::<Vec<_>>().join(", ")
+}
+
+/// Whether the data determine a parameter, in words.
+fn identifiability(estimate: &Estimate) -> String {
+    let width = match (estimate.interval, estimate.standard_error) {
+        (Some([lower, upper]), Some(_)) => Some(0.5 * (upper - lower)),
+        _ => None,
+    };
+    match &estimate.identifiability {
+        Identifiability::Determined => match width {
+            Some(width) => format!("determined to ± {} (95 %)", number(width)),
+            None => "determined".to_owned(),
+        },
+        Identifiability::AtBound => {
+            let end = if estimate.at_bound == Some(Bound::Lower) { "lower" } else { "upper" };
+            format!("at its {end} bound: the bound decides the value, the data may ask for one beyond")
+        }
+        Identifiability::WithoutEffect => "not determined: the data do not change with it".to_owned(),
+        Identifiability::Inseparable(others) if others.is_empty() => "not determined: the data do not change with it".to_owned(),
+        Identifiability::Inseparable(others) => {
+            format!("not determined: it can change together with {} and the data stay the same", list(others))
+        }
+        Identifiability::Unseparated(gap, others) if others.is_empty() => format!("not determined: {}", gap_in_words(*gap)),
+        Identifiability::Unseparated(gap, others) => {
+            format!("not determined by data of this kind: {}, which does not tell it from {}", gap_in_words(*gap), list(others))
+        }
+        Identifiability::SeveralSolutions { other } => {
+            format!("not determined: {} explains the data as well, found from another start", number(*other))
+        }
+        Identifiability::OneSided(bound) => {
+            let end = estimate.interval.map(|[lower, upper]| if *bound == Bound::Upper { upper } else { lower });
+            let side = if *bound == Bound::Upper { "above" } else { "below" };
+            format!("not determined: the data bound it only from {side}, by {} (95 %)", end.map_or_else(String::new, number))
+        }
+        Identifiability::Uncertain => match width {
+            Some(width) => format!("not determined: ± {} (95 %) is too wide to be of use", number(width)),
+            None if estimate.standard_error.is_some() => "not determined: its interval is wider than numbers go".to_owned(),
+            None => "not determined: no error can be stated, there are too few data".to_owned(),
+        },
+    }
+}
