@@ -85,7 +85,9 @@ impl fmt::Display for FitError {
                 write!(f, "the evaluations or the time were spent before there was anything to report: send fewer samples")
             }
             Self::Stopped => write!(f, "the fit was told to stop"),
-            Self::Refused { row, error } => write!(f, "at no start does the model answer every sample; sample {row}: {error}"),
+            Self::Refused { row, error } => {
+                write!(f, "the model has no solution for all samples at any start; sample {row}: {error}")
+            }
         }
     }
 }

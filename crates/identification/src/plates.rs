@@ -114,9 +114,9 @@ impl fmt::Display for PlatesError {
                 range::WORDS
             ),
             Self::OneWidth => {
-                write!(f, "all plates have one width: k_c/b and k_φ are one number then, two widths tell them apart")
+                write!(f, "all plates have one width, so k_c/b and k_φ cannot be told apart; measure with two widths")
             }
-            Self::OneSinkage => write!(f, "no curve has two different sinkages: there is no exponent to be seen"),
+            Self::OneSinkage => write!(f, "no curve has two different sinkages, so the exponent cannot be found"),
             Self::NotFinite => write!(f, "the values are too large or too small together"),
             Self::Stopped => write!(f, "the fit was told to stop"),
         }

@@ -93,7 +93,7 @@ impl fmt::Display for ShearError {
             Self::OneStress => {
                 write!(
                     f,
-                    "all tests have one normal stress: c and σ tan φ are one number then, two normal stresses tell them apart"
+                    "all tests have one normal stress, so c and σ tan φ cannot be told apart; measure under two normal stresses"
                 )
             }
             Self::NoShear => write!(f, "the curves show no strength: every displacement or every shear stress is 0"),

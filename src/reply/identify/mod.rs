@@ -74,7 +74,7 @@ pub(super) struct EstimateReply {
     interval_95: Option<[f64; 2]>,
     /// Whether it lies at a bound.
     at_bound: bool,
-    /// Of the linear estimator on a soil with a pressure–sinkage law: how far linear stresses mislead it, by simulation: it minus the value with which the quadrature would have led to it; absent where the model has no answer for a sample.
+    /// Bias of the linear estimator from its assumption of linear stresses, found by simulation with the quadrature: the estimate minus the true value that would have led to it. Absent without a pressure–sinkage law and where the model has no answer for a sample.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     model_bias: Option<f64>,

@@ -33,7 +33,7 @@ pub(super) fn identifiability(estimate: &Estimate) -> String {
         },
         Identifiability::AtBound => {
             let end = if estimate.at_bound == Some(Bound::Lower) { "lower" } else { "upper" };
-            format!("at its {end} bound: the bound decides the value, the data may ask for one beyond")
+            format!("at its {end} bound, which decides the value: the data may call for a value beyond it")
         }
         Identifiability::WithoutEffect => "not determined: the data do not change with it".to_owned(),
         Identifiability::Inseparable(others) if others.is_empty() => "not determined: the data do not change with it".to_owned(),
@@ -42,7 +42,7 @@ pub(super) fn identifiability(estimate: &Estimate) -> String {
         }
         Identifiability::Unseparated(gap, others) if others.is_empty() => format!("not determined: {}", gap_in_words(*gap)),
         Identifiability::Unseparated(gap, others) => {
-            format!("not determined by data of this kind: {}, which does not tell it from {}", gap_in_words(*gap), list(others))
+            format!("not determined by data of this kind: {}, so it cannot be told from {}", gap_in_words(*gap), list(others))
         }
         Identifiability::SeveralSolutions { other } => {
             format!("not determined: {} explains the data as well, found from another start", number(*other))
@@ -54,8 +54,10 @@ pub(super) fn identifiability(estimate: &Estimate) -> String {
         }
         Identifiability::Uncertain => match width {
             Some(width) => format!("not determined: ± {} (95 %) is too wide to be of use", number(width)),
-            None if estimate.standard_error.is_some() => "not determined: its interval is wider than numbers go".to_owned(),
-            None => "not determined: no error can be stated, there are too few data".to_owned(),
+            None if estimate.standard_error.is_some() => {
+                "not determined: its interval is too wide to be written as a number".to_owned()
+            }
+            None => "not determined: there are too few data to state an error".to_owned(),
         },
     }
 }
