@@ -1,4 +1,4 @@
-//! Does the caller still want the result? A fit asks about every millisecond, and a no ends it at once.
+//! Does the caller still want the result? A fit asks about every millisecond; the first no ends it.
 
 use std::cell::Cell;
 use std::fmt;
@@ -8,7 +8,7 @@ use crate::problem::Obstacle;
 /// Points of a curve, or rows of a matrix, between two questions: some tens to hundreds of microseconds of work.
 pub(crate) const POINTS_PER_QUESTION: usize = 1024;
 
-/// The caller's answer; once it was no, it stays no.
+/// The caller's answer. A no is final.
 pub(crate) struct Consent<'a> {
     go_on: &'a dyn Fn() -> bool,
     is_withdrawn: Cell<bool>,
@@ -31,7 +31,7 @@ impl<'a> Consent<'a> {
         if self.is_withdrawn.get() { Err(Stopped) } else { Ok(()) }
     }
 
-    /// Whether the caller has said no, without another question.
+    /// Whether the caller has said no. It does not ask again.
     pub(crate) fn is_withdrawn(&self) -> bool {
         self.is_withdrawn.get()
     }
@@ -43,7 +43,7 @@ impl fmt::Debug for Consent<'_> {
     }
 }
 
-/// A search unwinds from a no as from a budget that is spent.
+/// A search treats a no like a spent budget.
 impl From<Stopped> for Obstacle {
     fn from(_: Stopped) -> Self {
         Self::Budget

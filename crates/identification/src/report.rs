@@ -1,4 +1,4 @@
-//! What is said of a fit once its search is over.
+//! The report on a fit after its search: errors, intervals and what the data leave open.
 
 use terramechanics::Error;
 
@@ -14,7 +14,7 @@ use crate::setup::Prediction;
 use crate::uncertainty::{Evidence, Scatter, Uncertainty};
 use crate::unknown::Unknown;
 
-/// The account of the minimum `best`, beside `others` that are as good. The problem has a budget of its own for it.
+/// The report on the minimum `best` and on `others` that are as good. The problem has a budget of its own for it.
 pub(crate) fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, FitError> {
     let mut stop = best.stop;
     let refused = |obstacle| match obstacle {
