@@ -68,11 +68,11 @@ impl Point {
         duration(self.price + Self::ROW)
     }
 
-    /// Of writing its row.
+    /// The cost of writing a row (ns).
     const ROW: f64 = 2e3;
 }
 
-/// What goes on top of the price of several points.
+/// The allowance on top of the price of several points.
 pub(crate) fn allowance() -> Duration {
     duration(ALLOWANCE)
 }
@@ -82,7 +82,7 @@ fn duration(nanoseconds: f64) -> Duration {
 }
 
 impl Cost {
-    /// Of what is there already.
+    /// The cost of what is already computed.
     pub(crate) const NONE: Self = Self { usual: 0.0, price: 0.0 };
 
     const fn fixed(nanoseconds: f64) -> Self {
@@ -99,14 +99,14 @@ impl Cost {
         Self { usual: 0.0, price: price.as_nanos() as f64 }
     }
 
-    /// Of one operating point.
+    /// The cost of one operating point.
     pub(crate) fn of_point(operation: &Operation) -> Self {
         let Point { usual, price, .. } = Point::of(operation);
         let is_solved = matches!(operation.sinkage, Sinkage::CarryingLoad(_));
         Self { usual: usual + Point::ROW, price: if is_solved { SOLVED } else { price } }
     }
 
-    /// Of `points` operating points of each of several operations, and of writing their rows.
+    /// The cost of `points` operating points for each of several operations, and of writing their rows.
     pub(crate) fn of_points(operations: impl IntoIterator<Item = Operation>, points: usize) -> Self {
         let count = points as f64;
         let (mut usual, mut price) = (0.0, 0.0);
@@ -119,23 +119,23 @@ impl Cost {
         Self { usual, price: price + allowance }
     }
 
-    /// Of one evaluation of closed forms.
+    /// The cost of one evaluation of closed forms.
     pub(crate) fn of_closed_forms() -> Self {
         Self::fixed(1e3)
     }
 
-    /// Of measurements that are predicted under their load, counted by quadratures: closed forms take next to nothing.
+    /// The cost of predicting measurements under their load. It counts the quadratures; closed forms cost next to nothing.
     pub(crate) fn of_validation((straight, sideways): (usize, usize)) -> Self {
         let (straight, sideways) = (straight as f64, sideways as f64);
         Self { usual: 20e3 * straight + 200e3 * sideways, price: ALLOWANCE + 2e6 * straight + 6e6 * sideways }
     }
 
-    /// Of a towed wheel, whose skid takes fifteen load balances, and up to a hundred.
+    /// The cost of a towed wheel: its skid usually takes fifteen load balances, and at most a hundred.
     pub(crate) fn of_towed() -> Self {
         Self { usual: 0.5e6, price: ALLOWANCE }
     }
 
-    /// Of an identification: a line through the samples, or a search that may spend its evaluations.
+    /// The cost of an identification: a line through the samples, or a search that may spend all its evaluations.
     pub(crate) fn of_identification(query: &IdentifyCase) -> Self {
         match query {
             IdentifyCase::Linear(query) => {
@@ -147,28 +147,28 @@ impl Cost {
         }
     }
 
-    /// Of fitting curves with `points` points in all: a shear modulus is tried a few thousand times.
+    /// The cost of fitting curves with `points` points in all: the search tries a few thousand shear moduli.
     pub(crate) fn of_curves(points: usize) -> Self {
         Self::of_fit(points as f64 * 100e3)
     }
 
-    /// A fit is never done on the thread of a connection: how long a search takes stands in no formula.
+    /// The cost of a fit. It always goes to the pool, because no formula says how long a search takes.
     fn of_fit(usual: f64) -> Self {
         Self { usual, price: ALLOWANCE + 4.0 * usual }
     }
 
-    /// Of writing the contract, with the answer to each of its examples.
+    /// The cost of writing the contract, with the answer to each of its examples.
     pub(crate) fn of_contract() -> Self {
         Self { usual: 100e6, price: ALLOWANCE }
     }
 
-    /// Of reading a request body of `bytes`.
+    /// The cost of reading a request body of `bytes`.
     pub(crate) fn of_body(bytes: usize) -> Self {
         let usual = bytes as f64 * 8.0;
         Self { usual, price: if usual > NEXT_TO_NOTHING { 10.0 * usual + SOLVED } else { usual } }
     }
 
-    /// Of a profile with `points` places at one operating point.
+    /// The cost of a profile with `points` places at one operating point.
     pub(crate) fn of_profile(operation: &Operation, points: usize) -> Self {
         let places = points as f64 * 500.0;
         match operation.sinkage {

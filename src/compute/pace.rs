@@ -55,12 +55,12 @@ struct OnPool {
 }
 
 impl Pace {
-    /// Of work that is over before anyone could wait for it.
+    /// The pace of work that is too short to be interrupted.
     pub(crate) const fn at_once() -> Self {
         Self(None)
     }
 
-    /// Of work that has a turn, from now on.
+    /// The pace of work that has its turn from now on.
     pub(super) fn of(turns: &Turns, turn: Turn, terms: Terms) -> Self {
         Self(Some(OnPool {
             turns: turns.clone(),

@@ -41,7 +41,7 @@ pub(super) struct Link {
 #[derive(Debug)]
 struct State {
     phase: Phase,
-    /// Of the client, in taking output.
+    /// How fast the client takes output.
     output: Pace,
     /// Since when a body is waited for.
     upload: Option<Instant>,

@@ -89,7 +89,7 @@ impl Warning {
         Self { varies, ..self }
     }
 
-    /// Of the series of these names.
+    /// The warning, holding for the series of these names.
     pub(crate) fn of_series(self, series: Vec<String>) -> Self {
         Self { series, ..self }
     }
@@ -172,7 +172,8 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "/wheel/radius_m")]
     pointer: Option<String>,
-    /// Rows that the warning holds for, as pairs of the first and the last index from 0, ascending: the first 20 pairs. Absent where it holds for every row. A track, which keeps no list, names the first row alone.
+    /// Rows that the warning holds for, as pairs of the first and the last index from 0, ascending: the first 20 pairs. Absent
+    /// where it holds for every row. A track, which keeps no list, names the first row alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     rows: Option<Vec<[u64; 2]>>,
