@@ -44,9 +44,9 @@ pub(crate) static TABLE: &[Quantity] = &[
     .of_sample(Number(|row| row.tractive_efficiency)),
     Quantity::new("lateral_force_n", "F_y", "N", "lateral force to the left, with the sign of the slip angle")
         .of_point(Across, Sideways(|side| side.lateral)),
-    Quantity::new("overturning_moment_n_m", "M_x", "N.m", "overturning moment r F_y about the axis ahead")
+    Quantity::new("overturning_moment_n_m", "M_x", "N.m", "overturning moment r F_y about the forward axis")
         .of_point(Across, Sideways(|side| side.overturning_moment)),
-    Quantity::new("aligning_moment_n_m", "M_z", "N.m", "aligning moment of the lateral stresses about the axis upwards")
+    Quantity::new("aligning_moment_n_m", "M_z", "N.m", "aligning moment of the lateral stresses about the vertical axis")
         .of_point(Across, Sideways(|side| side.aligning_moment)),
     Quantity::new("sinkage_modulus", "K_s", PRESSURE_PER_POWER, "sinkage modulus")
         .of_point(Soil, Found(|at| at.point.sinkage_modulus)),
@@ -84,7 +84,7 @@ pub(crate) static TABLE: &[Quantity] = &[
         "cohesion, by the line through the samples so far; null until two of them differ",
     )
     .of_sample(Running(|strength| strength.cohesion)),
-    Quantity::new("tan_friction", "tan φ", "1", "tangent of the friction angle, null as the cohesion")
+    Quantity::new("tan_friction", "tan φ", "1", "tangent of the friction angle, null where the cohesion is")
         .of_sample(Running(|strength| strength.tan_friction)),
     Quantity::new(
         "cohesion_variance_pa2",

@@ -38,14 +38,14 @@ pub(crate) struct PlatesReply {
     warnings: Vec<Warning>,
 }
 
-/// What one plate shows.
+/// The results of one plate.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = FoundPlate)]
 struct PlateReply {
     width_m: f64,
-    /// k_c/b + k_phi as this plate alone shows it with the common exponent (Pa/m^n).
+    /// k_c/b + k_phi from this plate alone, with the common exponent (Pa/m^n).
     modulus: f64,
-    /// Exponent of this plate's curve alone; null where its sinkages are all alike.
+    /// Exponent of this plate's curve alone; null where all its sinkages are equal.
     n0: Option<f64>,
 }
 
@@ -80,7 +80,7 @@ pub(crate) struct ShearReply {
     identifiable: bool,
     /// cohesion_pa, friction_angle_rad and shear_modulus_m.
     estimates: Vec<EstimateReply>,
-    /// Correlation of the estimates, in their order; null with one that has no standard error.
+    /// Correlation of the estimates, in their order; null for an estimate without a standard error.
     correlation: Vec<Vec<Option<f64>>>,
     /// Points minus parameters.
     degrees_of_freedom: f64,

@@ -156,7 +156,7 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     range: Option<Range>,
-    /// The quantity that the warning is about, if it is one; where it is null in the answer, without a value.
+    /// The quantity that the warning is about, if there is one. It has no value here where it is null in the answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "diameter")]
     quantity: Option<String>,

@@ -63,7 +63,7 @@ impl StressField<'_> {
         self.under(&self.patch.rim_point(entry - theta), self.patch.depth(theta))
     }
 
-    /// Stresses at a place of the rim if the depth that presses there were `depth` (m). Eqs. (1), (5).
+    /// Stresses at a rim point if the depth that sets its normal stress were `depth` (m). Eqs. (1), (5).
     #[inline]
     pub(crate) fn under(&self, point: &RimPoint, depth: f64) -> Stresses {
         let normal = self.curve.pressure(depth);

@@ -18,7 +18,7 @@ use crate::found::{FoundFit, FoundLine, FoundParameters};
 use crate::request::{ContactObject, SoilObject, column_name, name_of};
 use crate::warning::Warning;
 
-/// What measurements tell of the parameters, and what they do not.
+/// What measurements say about the parameters, and what they leave open.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Identification)]
 pub(crate) struct IdentifyReply {
@@ -38,7 +38,7 @@ pub(crate) struct IdentifyReply {
     evaluations: u64,
     /// One per parameter, in the order of `fit`.
     estimates: Vec<EstimateReply>,
-    /// Correlation of the estimates, in their order; null with one that has no standard error.
+    /// Correlation of the estimates, in their order; null for an estimate without a standard error.
     correlation: Vec<Vec<Option<f64>>>,
     /// Condition number of the derivatives, each scaled to length one; null where a direction is dead.
     condition_number: Option<f64>,
@@ -60,7 +60,7 @@ pub(crate) struct IdentifyReply {
     warnings: Vec<Warning>,
 }
 
-/// What was found of one parameter.
+/// The result for one parameter.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = ParameterEstimate)]
 pub(super) struct EstimateReply {
@@ -68,9 +68,9 @@ pub(super) struct EstimateReply {
     #[schema(example = "cohesion_pa")]
     parameter: &'static str,
     value: f64,
-    /// Standard error; null where the data leave the parameter open. At a bound it is what would hold without the bound.
+    /// Standard error; null where the data leave the parameter open. At a bound it is the error without the bound.
     standard_error: Option<f64>,
-    /// Interval of 95 %, not cut at the bounds; where the data bound the parameter from one side alone, the other end is its bound.
+    /// 95 % interval, not cut at the bounds; where the data bound the parameter on one side alone, the other end is its bound.
     interval_95: Option<[f64; 2]>,
     /// Whether it lies at a bound.
     at_bound: bool,

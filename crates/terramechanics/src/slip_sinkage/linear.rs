@@ -54,7 +54,7 @@ impl Parametrised for LinearSlipSinkage {
 
 impl Declared for LinearSlipSinkage {
     const NAME: &'static str = "linear";
-    const DOC: &'static str = "A sinkage that grows in a straight line with slip.";
+    const DOC: &'static str = "A sinkage that grows linearly with slip.";
     const FORMULA: &'static str = "z = z0 (1 + S s)";
     const SOURCES: &'static [Citation] = &[LINES.at("thesis code")];
 }
