@@ -4,6 +4,8 @@
 //! |---|---|
 //! | (1) σ = K_s z^N | [`StressField::normal`] |
 //! | (5) τ = E (c + σ tan φ) | [`StressField::shear`] |
+//!
+//! Units: σ, τ and c in Pa, φ in rad, K_s in Pa/m^N. The laws behind K_s and E have validity ranges of their own.
 
 use crate::contact::Angles;
 use crate::error::Error;

@@ -1,7 +1,8 @@
-//! How much deeper does a slipping wheel sink, where only a slope was measured? A linear gain (Lines 2021, thesis code, source 11):
+//! How much deeper does a slipping wheel sink, if only a slope was measured? A linear gain (Lines 2021, thesis code, source 11):
 //! z = z0 (1 + S s).
 //!
-//! Units: S has none. Validity: none was published; the gain is the user's own. At s < 0 the law is applied as written.
+//! Units: z and z0 in m, S has none. No departures. Validity: none was published; the gain is the user's own. At s < 0 the law
+//! is applied as written.
 
 use crate::caution::{Caution, LINEAR_SLIP_SINKAGE_EXTRAPOLATED, SLIP_BEYOND_LINEAR};
 use crate::law::Declared;
