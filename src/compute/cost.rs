@@ -20,8 +20,8 @@ pub(crate) struct Cost {
 /// Below this, work on the thread of a connection holds up the other connections of that thread too little to be noticed.
 const NEXT_TO_NOTHING: f64 = 100e3;
 
-/// What goes on top of a price by the point, so that a few stiff contacts, each of which may take a hundred times what is
-/// usual, are not ended: the dearest that was found took 45 ms.
+/// Allowance on top of a price by the point, so that a few stiff contacts are not ended. One of them may take a hundred times
+/// the usual time; the slowest known took 45 ms.
 const ALLOWANCE: f64 = 1e9;
 
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
@@ -41,7 +41,7 @@ const fn point(work: &'static str, usual: f64, price: f64) -> Point {
     Point { work, usual, price }
 }
 
-/// Each method with a sinkage that is known, and with one that is solved for a load.
+/// Each method with a known sinkage, and with one solved for a load.
 const POINTS: [[Point; 2]; 3] = [
     [point("a closed form", 300.0, 2e3), point("a closed form under a load", 2e3, 30e3)],
     [point("the quadrature", 4e3, 80e3), point("the quadrature under a load", 20e3, 300e3)],
@@ -177,12 +177,12 @@ impl Cost {
         }
     }
 
-    /// Whether it may be done on the thread of a connection.
+    /// Whether the work may run on the thread of a connection.
     pub(super) fn is_next_to_nothing(self) -> bool {
         self.price <= NEXT_TO_NOTHING
     }
 
-    /// Whether it is usually done before its first slice is over.
+    /// Whether the work is usually done within its first slice.
     pub(super) fn is_short(self) -> bool {
         self.usual <= 0.5 * SLICE.as_nanos() as f64
     }

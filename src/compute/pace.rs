@@ -1,4 +1,4 @@
-//! How work on the pool keeps pace with the others: it looks up often, ends when nobody waits for its result any more, lets
+//! How work on the pool shares the threads: it checks often, ends when nobody waits for its result any more, lets
 //! others go first after a slice of time, and pays for the processor it takes.
 
 use std::cell::{Cell, RefCell};
@@ -13,7 +13,7 @@ use super::turns::{Turn, Turns};
 /// Time after which work lets others go first. What is short waits no longer than this for a thread.
 pub(crate) const SLICE: Duration = Duration::from_millis(10);
 
-/// Looks without a clock after which the clock is read, where a look stands for next to no work.
+/// Number of checks between two readings of the clock, where little work lies between two checks.
 const LIGHT_LOOKS: u32 = 32;
 
 /// Why work ends before its result.
@@ -73,7 +73,7 @@ impl Pace {
         }))
     }
 
-    /// A look up, at least once in a millisecond of ordinary work.
+    /// A check, to be made at least once in a millisecond of work.
     ///
     /// # Errors
     /// [`Stop`], now and ever after, where the work is to end.
@@ -81,7 +81,7 @@ impl Pace {
         self.0.as_ref().map_or(Ok(()), OnPool::look)
     }
 
-    /// A look up of work so light that reading a clock each time would slow it down: some microseconds.
+    /// A check for work of some microseconds, which reading the clock each time would slow down.
     ///
     /// # Errors
     /// As [`look`](Self::look).

@@ -1,4 +1,4 @@
-//! Parts of findings that several share.
+//! Parts that several findings share.
 
 use terramechanics::Lacking;
 use terramechanics_identification::DesignGap;
@@ -6,7 +6,7 @@ use terramechanics_identification::DesignGap;
 use super::Finding;
 use super::words::{number, quoted};
 
-/// Values of one column that a sample may not have.
+/// The values of one column that are out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct BeyondRange {
     pub(crate) column: &'static str,

@@ -9,7 +9,7 @@ use crate::catalogue::{CATALOGUE, Outside};
 use crate::quantity::with_unit;
 use crate::series::SeriesFault;
 
-/// What `/v1/model` tells of a finding.
+/// A finding as `/v1/model` describes it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Note {
     pub(crate) code: &'static str,
@@ -26,7 +26,7 @@ macro_rules! findings {
         $(field $pointer:expr,)?
         says $sentence:expr;
     )+) => {
-        /// Something that a result has to say of itself.
+        /// Something that a result has to report about itself.
         #[derive(Debug, Clone, PartialEq)]
         pub(crate) enum Finding {
             $(#[doc = $meaning] $name { $($data: $type),* },)+

@@ -26,7 +26,7 @@ fn the_errata_are_those_of_the_model() {
     let rows = table(ACCURACY, "## Errata in brief");
     assert!(!rows.is_empty());
     for row in rows {
-        let erratum = errata.iter().find(|erratum| erratum["number"].to_string() == row[0]);
+        let erratum = errata.iter().find(|erratum| erratum["number"].as_u64() == row[0].parse().ok());
         let printed = erratum.and_then(|erratum| erratum["printed"].as_str()).unwrap_or_else(|| panic!("no erratum {}", row[0]));
         let equation = &row[1][..=row[1].find(')').expect("an equation")];
         assert!(printed.starts_with(equation), "erratum {} is about {printed}", row[0]);
