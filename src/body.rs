@@ -11,7 +11,8 @@ use crate::problem::Problem;
 use crate::server::TooSlow;
 use crate::state::Service;
 
-/// What a body may have without a share of the budget (bytes): most have less, and get in even where large ones took it all.
+/// Largest body that needs no share of the budget (bytes). Most bodies are smaller, so they get in even when large ones use all
+/// of it.
 const SMALL: usize = 8 << 10;
 
 /// A body that was read, with its share of the budget.
@@ -20,7 +21,7 @@ pub(crate) struct Text {
     _share: Option<Share>,
 }
 
-/// The whole of a body, of which `declared` bytes are to come if its head says so.
+/// The whole of a body; its head declares a length of `declared` bytes, if any.
 ///
 /// # Errors
 /// [`Problem::TooLarge`], [`Problem::SlowBody`], [`Problem::BrokenBody`], and [`Problem::Crowded`] where the bodies of others

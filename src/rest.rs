@@ -1,4 +1,4 @@
-//! What is left of a request body when the answer is already known.
+//! The rest of a request body when the answer is already known.
 //!
 //! Many clients write the whole body before they read. If the connection were closed on them, they would see a reset and not the
 //! answer; so a part of what they still send is read and thrown away.
@@ -14,7 +14,7 @@ use http_body_util::BodyExt;
 use hyper::body::{Frame, SizeHint};
 use tokio::runtime::Handle;
 
-/// Most that is read of a body that nobody wants (bytes).
+/// Most bytes that are read of a body that nobody needs.
 const MOST: usize = 64 << 20;
 
 /// Longest for which it is read.

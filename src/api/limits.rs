@@ -40,7 +40,7 @@ pub(crate) struct LimitsReply {
 struct PriceReply {
     /// Highest price of a request (s).
     limit_s: f64,
-    /// What goes on top of the price of several points (s), for contacts that are stiffer than most.
+    /// Allowance on top of the price of several points (s), for contacts that are stiffer than most.
     allowance_s: f64,
     /// How many times its price a computation may take (–).
     overdraft: u32,

@@ -26,7 +26,7 @@ pub(crate) struct Model {
     symbols: Vec<Symbol>,
     /// The equations as they are computed.
     equations: Vec<Equation>,
-    /// The ways to the forces, and what each costs in accuracy.
+    /// The methods for the forces, and what each costs in accuracy.
     methods: Vec<MethodNote>,
     /// Where the letter as printed is not what is computed.
     #[serde(default)]
@@ -49,7 +49,7 @@ pub(crate) struct Model {
     references: Vec<String>,
 }
 
-/// A symbol of the equations.
+/// A symbol in the equations.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 struct Symbol {
@@ -78,7 +78,7 @@ struct Equation {
     errata: Vec<u8>,
 }
 
-/// A way to the forces.
+/// A method for the forces.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 struct MethodNote {
@@ -95,7 +95,7 @@ struct Erratum {
     number: u8,
     /// What is printed, and where.
     printed: String,
-    /// Why that cannot be meant.
+    /// Why that is an error.
     reason: String,
     /// What is computed instead.
     computed: String,

@@ -74,7 +74,7 @@ struct Extents {
     shear_lengths: [Option<Extent>; 2],
     /// The soil's own, and that of Reece's law.
     unit_weights: [Option<Extent>; 2],
-    /// Of each law both moduli, or none and the only one, and the exponent n0.
+    /// For each law: its two moduli, or none and its only one, and the exponent n0.
     bekker: [Option<Extent>; 3],
     direct: [Option<Extent>; 3],
     reece: [Option<Extent>; 3],
@@ -159,7 +159,7 @@ const N0: &str = "/soil/pressure_sinkage/n0";
 const ACROSS: &str = "/soil/lateral_shear_modulus_m";
 const WEIGHTS: [&str; 2] = ["/soil/unit_weight_n_m3", "/soil/pressure_sinkage/unit_weight_n_m3"];
 
-// Of each law both moduli, or nothing and the only one, and the exponent.
+// For each law: the pointers of its two moduli, or none and its only one, and of the exponent.
 const MODULI: [&str; 3] = ["/soil/pressure_sinkage/k_c", "/soil/pressure_sinkage/k_phi", N0];
 const MODULUS: [&str; 3] = ["", "/soil/pressure_sinkage/k_s", N0];
 const COEFFICIENT: [&str; 3] = ["", "/soil/pressure_sinkage/k", N0];

@@ -59,7 +59,7 @@ fn every_soil_names_only_parameters_of_its_law() {
     }
 }
 
-/// Of its own wheel the letter states no lugs, and its preset has none; of every other the height is known or marked.
+/// The letter's own wheel has no lugs. Every other wheel has a known lug height or is marked.
 #[test]
 fn a_lug_height_is_published_or_marked_as_assumed() {
     for record in wheels() {

@@ -19,8 +19,8 @@ pub(crate) struct Cost {
 /// Below this, work on the thread of a connection holds up the other connections of that thread too little to be noticed.
 const NEXT_TO_NOTHING: f64 = 100e3;
 
-/// What goes on top of a price by the point, so that a few stiff contacts, each of which may take a hundred times what is
-/// usual, are not ended: the dearest that was found took 45 ms.
+/// Allowance on top of a price by the point, so that a few stiff contacts are not ended. One of them may take a hundred times
+/// the usual time; the slowest known took 45 ms.
 const ALLOWANCE: f64 = 1e9;
 
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
@@ -40,7 +40,7 @@ const fn point(work: &'static str, usual: f64, price: f64) -> Point {
     Point { work, usual, price }
 }
 
-/// Each method with a sinkage that is known, and with one that is solved for a load.
+/// Each method with a known sinkage, and with one solved for a load.
 const POINTS: [[Point; 2]; 3] = [
     [point("a closed form", 300.0, 2e3), point("a closed form under a load", 2e3, 30e3)],
     [point("the quadrature", 4e3, 80e3), point("the quadrature under a load", 20e3, 300e3)],
@@ -67,11 +67,11 @@ impl Point {
         duration(self.price + Self::ROW)
     }
 
-    /// Of writing its row.
+    /// The cost of writing a row (ns).
     const ROW: f64 = 2e3;
 }
 
-/// What goes on top of the price of several points.
+/// The allowance on top of the price of several points.
 pub(crate) fn allowance() -> Duration {
     duration(ALLOWANCE)
 }
@@ -81,7 +81,7 @@ fn duration(nanoseconds: f64) -> Duration {
 }
 
 impl Cost {
-    /// Of what is there already.
+    /// The cost of what is already computed.
     pub(crate) const NONE: Self = Self { usual: 0.0, price: 0.0 };
 
     const fn fixed(nanoseconds: f64) -> Self {
@@ -98,14 +98,14 @@ impl Cost {
         Self { usual: 0.0, price: price.as_nanos() as f64 }
     }
 
-    /// Of one operating point.
+    /// The cost of one operating point.
     pub(crate) fn of_point(operation: &Operation) -> Self {
         let Point { usual, price, .. } = Point::of(operation);
         let is_solved = matches!(operation.sinkage, Sinkage::CarryingLoad(_));
         Self { usual: usual + Point::ROW, price: if is_solved { SOLVED } else { price } }
     }
 
-    /// Of `points` operating points of each of several operations, and of writing their rows.
+    /// The cost of `points` operating points for each of several operations, and of writing their rows.
     pub(crate) fn of_points(operations: impl IntoIterator<Item = Operation>, points: usize) -> Self {
         let count = points as f64;
         let (mut usual, mut price) = (0.0, 0.0);
@@ -118,18 +118,18 @@ impl Cost {
         Self { usual, price: price + allowance }
     }
 
-    /// Of one evaluation of closed forms.
+    /// The cost of one evaluation of closed forms.
     pub(crate) fn of_closed_forms() -> Self {
         Self::fixed(1e3)
     }
 
-    /// Of measurements that are predicted under their load, counted by quadratures: closed forms take next to nothing.
+    /// The cost of predicting measurements under their load. It counts the quadratures; closed forms cost next to nothing.
     pub(crate) fn of_validation((straight, sideways): (usize, usize)) -> Self {
         let (straight, sideways) = (straight as f64, sideways as f64);
         Self { usual: 20e3 * straight + 200e3 * sideways, price: ALLOWANCE + 2e6 * straight + 6e6 * sideways }
     }
 
-    /// Of a towed wheel, whose skid takes fifteen load balances, and up to a hundred.
+    /// The cost of a towed wheel: its skid usually takes fifteen load balances, and at most a hundred.
     pub(crate) fn of_towed() -> Self {
         Self { usual: 0.5e6, price: ALLOWANCE }
     }
@@ -145,28 +145,28 @@ impl Cost {
         Self::of_fit(evaluations as f64 * 200.0)
     }
 
-    /// Of fitting curves with `points` points in all: a shear modulus is tried a few thousand times.
+    /// The cost of fitting curves with `points` points in all: the search tries a few thousand shear moduli.
     pub(crate) fn of_curves(points: usize) -> Self {
         Self::of_fit(points as f64 * 100e3)
     }
 
-    /// A fit is never done on the thread of a connection: how long a search takes stands in no formula.
+    /// The cost of a fit. It always goes to the pool, because no formula says how long a search takes.
     fn of_fit(usual: f64) -> Self {
         Self { usual, price: ALLOWANCE + 4.0 * usual }
     }
 
-    /// Of writing the contract, with the answer to each of its examples.
+    /// The cost of writing the contract, with the answer to each of its examples.
     pub(crate) fn of_contract() -> Self {
         Self { usual: 100e6, price: ALLOWANCE }
     }
 
-    /// Of reading a request body of `bytes`.
+    /// The cost of reading a request body of `bytes`.
     pub(crate) fn of_body(bytes: usize) -> Self {
         let usual = bytes as f64 * 8.0;
         Self { usual, price: if usual > NEXT_TO_NOTHING { 10.0 * usual + SOLVED } else { usual } }
     }
 
-    /// Of a profile with `points` places at one operating point.
+    /// The cost of a profile with `points` places at one operating point.
     pub(crate) fn of_profile(operation: &Operation, points: usize) -> Self {
         let places = points as f64 * 500.0;
         match operation.sinkage {
@@ -175,12 +175,12 @@ impl Cost {
         }
     }
 
-    /// Whether it may be done on the thread of a connection.
+    /// Whether the work may run on the thread of a connection.
     pub(super) fn is_next_to_nothing(self) -> bool {
         self.price <= NEXT_TO_NOTHING
     }
 
-    /// Whether it is usually done before its first slice is over.
+    /// Whether the work is usually done within its first slice.
     pub(super) fn is_short(self) -> bool {
         self.usual <= 0.5 * SLICE.as_nanos() as f64
     }

@@ -1,4 +1,4 @@
-//! How work on the pool keeps pace with the others: it looks up often, ends when nobody waits for its result any more, lets
+//! How work on the pool shares the threads: it checks often, ends when nobody waits for its result any more, lets
 //! others go first after a slice of time, and pays for the processor it takes.
 
 use std::cell::{Cell, RefCell};
@@ -13,7 +13,7 @@ use super::turns::{Turn, Turns};
 /// Time after which work lets others go first. What is short waits no longer than this for a thread.
 pub(crate) const SLICE: Duration = Duration::from_millis(10);
 
-/// Looks without a clock after which the clock is read, where a look stands for next to no work.
+/// Number of checks between two readings of the clock, where little work lies between two checks.
 const LIGHT_LOOKS: u32 = 32;
 
 /// Time for work that nobody waits for: enough for all.
@@ -60,12 +60,12 @@ struct OnPool {
 }
 
 impl Pace {
-    /// Of work that is over before anyone could wait for it.
+    /// The pace of work that is too short to be interrupted.
     pub(crate) const fn at_once() -> Self {
         Self(None)
     }
 
-    /// Of work that has a turn, from now on.
+    /// The pace of work that has its turn from now on.
     pub(super) fn of(turns: &Turns, turn: Turn, terms: Terms) -> Self {
         Self(Some(OnPool {
             turns: turns.clone(),
@@ -78,7 +78,7 @@ impl Pace {
         }))
     }
 
-    /// A look up, at least once in a millisecond of ordinary work.
+    /// A check, to be made at least once in a millisecond of work.
     ///
     /// # Errors
     /// [`Stop`], now and ever after, where the work is to end.
@@ -86,7 +86,7 @@ impl Pace {
         self.0.as_ref().map_or(Ok(()), OnPool::look)
     }
 
-    /// A look up of work so light that reading a clock each time would slow it down: some microseconds.
+    /// A check for work of some microseconds, which reading the clock each time would slow down.
     ///
     /// # Errors
     /// As [`look`](Self::look).

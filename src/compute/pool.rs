@@ -1,4 +1,4 @@
-//! The pool: threads for what takes longer than a request may hold up the others of its thread.
+//! The pool: threads for work that would hold up the other requests of a connection's thread for too long.
 //!
 //! Work on the pool has a place (so many may run or wait), takes turns with the rest ([`Pace`]) and ends when it is done, its
 //! caller has gone, its deadline has passed or it has taken twice its price.
@@ -93,7 +93,7 @@ impl Pool {
         Place::of(&self.stream_places, &self.turns)
     }
 
-    /// What `work` returns, run where its cost allows. The work looks up to its pace often.
+    /// Runs `work` where its cost allows and returns its result. The work has to check its pace often.
     ///
     /// # Errors
     /// [`Problem::TooCostly`] for a price above the limit, and where the work took far more than its price; [`Problem::Busy`] if

@@ -8,7 +8,7 @@ use tokio::sync::oneshot::{self, Receiver, Sender};
 /// How long a piece of work usually takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Class {
-    /// Less than a slice: it goes before all long work.
+    /// Less than a slice; such work goes before all long work.
     Short,
     /// Slices, between which it lets others go first.
     Long,
@@ -68,7 +68,7 @@ impl Turns {
         Err(receiver)
     }
 
-    /// Hands a turn to the next who still waits for one.
+    /// Gives a turn to the next in line that still waits.
     fn hand_on(&self) {
         loop {
             let next = {

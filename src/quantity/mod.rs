@@ -1,4 +1,4 @@
-//! The quantities of answers: what each is called, its unit, its symbol, what it means and how it is got.
+//! The quantities of answers: name, unit, symbol and meaning of each, and where its value comes from.
 //!
 //! One row of [`TABLE`] is all that an answer, its schema, its CSV and NDJSON and the list in `/v1/model` know of a quantity.
 
@@ -22,7 +22,7 @@ pub(crate) use schema::{Field, add_units, object_of, with_fields};
 pub(crate) use table::TABLE;
 pub(crate) use unit::{of_name as unit_of_name, shown, with_unit};
 
-/// What is known of a quantity before it has a value.
+/// The description of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct About {
     /// Name on the wire; its suffix is its unit.

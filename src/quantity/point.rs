@@ -10,7 +10,7 @@ pub(crate) enum Part {
     Components,
     Across,
     Coefficients,
-    /// What the soil and the wheel are at this slip: of a single point alone, and no column.
+    /// A property of soil and wheel at this slip: given for a single point, not as a column.
     Soil,
 }
 
@@ -28,7 +28,7 @@ impl Part {
 /// How an operating point gives a quantity, and when.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum PointValue {
-    /// What was asked for; there without an answer as well.
+    /// An input, which is present even without a result.
     Asked(fn(Slip) -> f64),
     /// There at every point.
     Found(fn(&Point<'_>) -> f64),

@@ -10,9 +10,9 @@ use super::cell::Cell;
 pub(crate) enum SampleValue {
     Number(fn(&TrackRow) -> f64),
     Word(fn(&TrackRow) -> &'static str),
-    /// There where a torque was measured.
+    /// Only where a torque was measured.
     WithTorque(fn(&TrackRow) -> f64),
-    /// Of the running estimate of the strength, where it was asked for.
+    /// From the running estimate of the strength, where it was asked for.
     Running(fn(&StrengthEstimate) -> f64),
 }
 

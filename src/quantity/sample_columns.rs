@@ -44,8 +44,8 @@ pub(crate) type SampleColumns = Columns<OfSamples>;
 
 impl Shape for OfSamples {
     const NAME: &'static str = "TrackedColumns";
-    const DOC: &'static str = "Columns of one length; null where a sample has no result, for which `status` has the reason, but for the \
-                               time and, where only the forces have no solution, the slip.";
+    const DOC: &'static str = "Columns of one length. The row of a sample without a result is null, except for its time and, where only the \
+                               forces have no solution, its slip; `status` has the reason.";
 
     fn fields() -> Vec<Field> {
         let field = |(about, value): (&'static About, SampleValue)| Field {

@@ -9,10 +9,10 @@ use super::unit::PRESSURE_PER_POWER;
 /// All quantities of an operating point and of a sample, in the order of their columns.
 pub(crate) static TABLE: &[Quantity] = &[
     Quantity::new("time_s", "t", "s", "time, as it was sent").of_sample(Number(|row| row.time)),
-    Quantity::new("slip", "s", "1", "slip ratio")
-        .of_point(Motion, Asked(|slip| slip.ratio()))
-        .of_sample(Number(|row| row.slip)),
-    Quantity::new("sinkage_m", "z", "m", "sinkage").of_point(Motion, Found(|at| at.point.sinkage)).of_sample(Number(|row| row.sinkage)),
+    Quantity::new("slip", "s", "1", "slip ratio").of_point(Motion, Asked(|slip| slip.ratio())).of_sample(Number(|row| row.slip)),
+    Quantity::new("sinkage_m", "z", "m", "sinkage")
+        .of_point(Motion, Found(|at| at.point.sinkage))
+        .of_sample(Number(|row| row.sinkage)),
     Quantity::new("longitudinal_force_n", "F_x", "N", "longitudinal force, the drawbar pull")
         .of_point(Resultant, Found(|at| at.forces.longitudinal))
         .of_sample(Number(|row| row.longitudinal)),
@@ -44,16 +44,17 @@ pub(crate) static TABLE: &[Quantity] = &[
     .of_sample(Number(|row| row.tractive_efficiency)),
     Quantity::new("lateral_force_n", "F_y", "N", "lateral force to the left, with the sign of the slip angle")
         .of_point(Across, Sideways(|side| side.lateral)),
-    Quantity::new("overturning_moment_n_m", "M_x", "N.m", "overturning moment r F_y about the axis ahead")
+    Quantity::new("overturning_moment_n_m", "M_x", "N.m", "overturning moment r F_y about the forward axis")
         .of_point(Across, Sideways(|side| side.overturning_moment)),
-    Quantity::new("aligning_moment_n_m", "M_z", "N.m", "aligning moment of the lateral stresses about the axis upwards")
+    Quantity::new("aligning_moment_n_m", "M_z", "N.m", "aligning moment of the lateral stresses about the vertical axis")
         .of_point(Across, Sideways(|side| side.aligning_moment)),
     Quantity::new("sinkage_modulus", "K_s", PRESSURE_PER_POWER, "sinkage modulus")
         .of_point(Soil, Found(|at| at.point.sinkage_modulus)),
     Quantity::new("sinkage_exponent", "N", "1", "sinkage exponent at this slip")
         .of_point(Soil, Found(|at| at.point.sinkage_exponent)),
     Quantity::new("shearing_radius_m", "r_s", "m", "shearing radius").of_point(Soil, Found(|at| at.wheel.shearing_radius())),
-    Quantity::new("power_w", "T ω", "W", "mechanical power; null where only the slip is known").of_sample(Number(|row| row.power)),
+    Quantity::new("power_w", "T ω", "W", "mechanical power; null where only the slip is known")
+        .of_sample(Number(|row| row.power)),
     Quantity::new(
         "energy_j",
         "E",
@@ -73,18 +74,13 @@ pub(crate) static TABLE: &[Quantity] = &[
         "longitudinal_force_coupled_n",
         "F_x",
         "N",
-        "longitudinal force by Ding's coupled form from the measured torque and the load; null where one of them is missing, which \
-         a warning tells and `status` does not",
+        "longitudinal force by Ding's coupled form from the measured torque and the load; null where one of them is missing; a \
+         warning says so, `status` does not",
     )
     .of_sample(WithTorque(|row| row.longitudinal_coupled)),
-    Quantity::new(
-        "cohesion_pa",
-        "c",
-        "Pa",
-        "cohesion, by the line through the samples so far; null until two of them differ",
-    )
-    .of_sample(Running(|strength| strength.cohesion)),
-    Quantity::new("tan_friction", "tan φ", "1", "tangent of the friction angle, null as the cohesion")
+    Quantity::new("cohesion_pa", "c", "Pa", "cohesion, by the line through the samples so far; null until two of them differ")
+        .of_sample(Running(|strength| strength.cohesion)),
+    Quantity::new("tan_friction", "tan φ", "1", "tangent of the friction angle, null where the cohesion is")
         .of_sample(Running(|strength| strength.tan_friction)),
     Quantity::new(
         "cohesion_variance_pa2",

@@ -26,7 +26,7 @@ const SUFFIXES: [(&str, &str); 17] = [
     ("_over_load", "1"),
 ];
 
-/// The unit that the suffix of a name stands for, if it has one. k_s and its like are no times.
+/// The unit that the suffix of a name stands for, if it has one. Moduli such as k_s are not in seconds.
 pub(crate) fn of_name(name: &str) -> Option<&'static str> {
     let has = |suffix: &str| name.len() > suffix.len() + 1 && name.ends_with(suffix);
     SUFFIXES.iter().find(|(suffix, _)| has(suffix)).map(|(_, unit)| *unit)
@@ -40,7 +40,7 @@ pub(super) fn of_field(name: &str) -> Option<&'static str> {
     of_name(name).or_else(|| RATIOS.contains(&name).then_some("1"))
 }
 
-/// A unit as people write it: `N·m`, `N/m³`, `–`.
+/// A unit in the usual notation: `N·m`, `N/m³`, `–`.
 pub(crate) fn shown(unit: &str) -> String {
     let raised = |text: &str, digit: char, small: &str| {
         text.strip_suffix(digit).filter(|rest| rest.ends_with(char::is_alphabetic)).map(|rest| format!("{rest}{small}"))

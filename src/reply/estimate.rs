@@ -7,7 +7,7 @@ use utoipa::ToSchema;
 use crate::request::unknowns::name_of;
 use crate::warning::{gap_in_words, number};
 
-/// What was found of one parameter.
+/// The result for one parameter.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = ParameterEstimate)]
 pub(crate) struct EstimateReply {
@@ -15,13 +15,13 @@ pub(crate) struct EstimateReply {
     #[schema(example = "cohesion_pa")]
     parameter: &'static str,
     value: f64,
-    /// Standard error; null where the data leave the parameter open. At a bound it is what would hold without the bound.
+    /// Standard error; null where the data leave the parameter open. At a bound it is the error without the bound.
     standard_error: Option<f64>,
-    /// Interval of 95 %, not cut at the bounds; where the data bound the parameter from one side alone, the other end is its bound.
+    /// 95 % interval, not cut at the bounds; where the data bound the parameter on one side alone, the other end is its bound.
     interval_95: Option<[f64; 2]>,
     /// Whether it lies at a bound.
     at_bound: bool,
-    /// Of the linear estimator on a soil with a pressure–sinkage law: how far linear stresses mislead it, by simulation: it minus the value with which the quadrature would have led to it; absent where the model has no answer for a sample.
+    /// Bias of the linear estimator from its assumption of linear stresses, found by simulation with the quadrature: the estimate minus the true value that would have led to it. Absent without a pressure–sinkage law and where the model has no answer for a sample.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     model_bias: Option<f64>,
@@ -68,7 +68,7 @@ fn identifiability(estimate: &Estimate) -> String {
         },
         Identifiability::AtBound => {
             let end = if estimate.at_bound == Some(Bound::Lower) { "lower" } else { "upper" };
-            format!("at its {end} bound: the bound decides the value, the data may ask for one beyond")
+            format!("at its {end} bound, which decides the value: the data may call for a value beyond it")
         }
         Identifiability::WithoutEffect => "not determined: the data do not change with it".to_owned(),
         Identifiability::Inseparable(others) if others.is_empty() => "not determined: the data do not change with it".to_owned(),
@@ -77,7 +77,7 @@ fn identifiability(estimate: &Estimate) -> String {
         }
         Identifiability::Unseparated(gap, others) if others.is_empty() => format!("not determined: {}", gap_in_words(*gap)),
         Identifiability::Unseparated(gap, others) => {
-            format!("not determined by data of this kind: {}, which does not tell it from {}", gap_in_words(*gap), list(others))
+            format!("not determined by data of this kind: {}, so it cannot be told from {}", gap_in_words(*gap), list(others))
         }
         Identifiability::SeveralSolutions { other } => {
             format!("not determined: {} explains the data as well, found from another start", number(*other))
@@ -89,8 +89,10 @@ fn identifiability(estimate: &Estimate) -> String {
         }
         Identifiability::Uncertain => match width {
             Some(width) => format!("not determined: ± {} (95 %) is too wide to be of use", number(width)),
-            None if estimate.standard_error.is_some() => "not determined: its interval is wider than numbers go".to_owned(),
-            None => "not determined: no error can be stated, there are too few data".to_owned(),
+            None if estimate.standard_error.is_some() => {
+                "not determined: its interval is too wide to be written as a number".to_owned()
+            }
+            None => "not determined: there are too few data to state an error".to_owned(),
         },
     }
 }

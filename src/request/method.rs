@@ -35,7 +35,7 @@ pub(crate) const PEAK_SINKAGE: Field<Word<PeakDepth>> = Field::new(
 );
 pub(crate) const BRAKING_FIELD: Field<Word<Braking>> = Field::new(
     "braking",
-    "Law for a braking wheel, s < 0. one_zone: the displacement of a driving wheel continued; two_zone: Wong & Reece's towed wheel, whose shear reverses at the peak of the stresses; by quadrature alone, and it does not join the rolling wheel at s = 0.",
+    "Law for a braking wheel, s < 0. one_zone: the displacement of a driving wheel continued; two_zone: Wong & Reece's towed wheel, whose shear reverses at the peak of the stresses; quadrature only, with a jump in the forces at s = 0.",
     BRAKING_LAWS.or(Braking::OneZone),
 );
 pub(crate) const BRAKING_LAWS: Word<Braking> = Word::new(&[("one_zone", Braking::OneZone), ("two_zone", Braking::TwoZone)]);

@@ -7,7 +7,7 @@ use super::laws::field;
 
 const SLIP_ANGLE: Field<Number> = field(
     &SlipAngle::ANGLE,
-    "Slip angle β (rad) from the velocity to the heading, positive where the wheel moves to its right; quadrature only. Straight ahead unless sent; where it is, the answer has the lateral force and its moments.",
+    "Slip angle β (rad) from the velocity to the heading, positive where the wheel moves to its right; quadrature only. Where it is sent, the answer has the lateral force and its moments; otherwise the wheel goes straight ahead.",
 );
 const SHEAR_COUPLING: Field<Word<ShearCoupling>> = Field::new(
     "shear_coupling",

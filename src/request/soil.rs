@@ -27,7 +27,7 @@ const LATERAL_SHEAR_MODULUS: Field<Number> = field(
 );
 const UNIT_WEIGHT: Field<Number> = field(
     &Soil::UNIT_WEIGHT,
-    "Unit weight γ (N/m³), for what lies beside and in front of the wheel; that of Reece's law unless given or in the catalogue.",
+    "Unit weight γ (N/m³), for the soil that the wheel bulldozes beside and in front of it; that of Reece's law unless given or in the catalogue.",
 );
 pub(crate) const SHEAR: Field<&Tagged> =
     Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);

@@ -66,7 +66,7 @@ const FIT_START: Object = Object {
 };
 const FIT_BOUNDS: Object = Object {
     name: "FitBounds",
-    doc: "Bounds within which a parameter is sought, the lower and the upper one; else what any soil can have.",
+    doc: "Lower and upper bound of a parameter; without them, the range of all soils.",
     groups: &[&group(&BOUNDS)],
 };
 pub(crate) const START: Field<&Object> = Field::new("start", "Where the search begins.", &FIT_START);

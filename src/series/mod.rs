@@ -102,7 +102,7 @@ pub(crate) struct Unreadable {
 }
 
 impl Unreadable {
-    /// Counts a value; `first` says where the first stands, and is none for any other.
+    /// Counts a value. `first` gives the place of the first one and is none for the others.
     fn count(&mut self, first: Option<SeriesFault>) {
         self.count += 1;
         self.first = self.first.take().or(first);

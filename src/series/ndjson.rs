@@ -8,7 +8,7 @@ use crate::words::HINTS;
 /// How a sample is written, for those who wrote something else.
 const HOW: &str = "write one object a line, such as {\"time_s\": 0.1, \"slip\": 0.2}, with null for a missing value";
 
-/// Names that do not belong and are told of one line.
+/// Most unknown names that are reported for one line.
 const MOST_ODDITIES: usize = 20;
 
 /// The column of each field, or all names that do not belong in words.

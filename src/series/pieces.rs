@@ -12,7 +12,7 @@ pub(crate) struct Whole {
     pub(crate) fault: Option<SeriesFault>,
 }
 
-/// What `reader` makes of the pieces of a series, of which the last ends it.
+/// The samples that `reader` finds in the pieces of a series; the last piece ends it.
 pub(crate) fn all(mut reader: Reader, pieces: &[&[u8]]) -> Whole {
     let mut rows = Vec::new();
     for (i, piece) in pieces.iter().enumerate() {

@@ -15,7 +15,7 @@ pub struct Bounds {
     pub head_deadline: Duration,
     /// Time for which a connection is kept after an answer.
     pub keep_alive: Duration,
-    /// Time in which a client has to take something of an answer that waits for it.
+    /// Time in which a client has to take some of an answer that waits for it.
     pub write_deadline: Duration,
     /// The slowest client that takes an answer.
     pub slowest_download: Slowest,

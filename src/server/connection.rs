@@ -26,7 +26,7 @@ use super::upload::Upload;
 use crate::problem::Problem;
 use crate::state::Service;
 
-/// What is answered where there is no place left for other questions.
+/// The paths that are answered when all places are taken.
 const OF_OPERATORS: [&str; 3] = ["/healthz", "/readyz", "/metrics"];
 
 /// What all connections share.

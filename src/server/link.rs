@@ -1,4 +1,4 @@
-//! What one connection waits for and since when, and how long it may.
+//! What one connection waits for, since when, and for how long it may.
 
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
@@ -16,7 +16,7 @@ const RESERVE_WAIT: Duration = Duration::from_secs(2);
 /// How long a head that has begun may take to arrive once the server stops.
 const STOP_WAIT: Duration = Duration::from_secs(1);
 
-/// How long a connection may be silent before it gives way to another readily. Who has just come is about to speak.
+/// Time after which a silent connection readily gives way to another. A new connection is about to send its request.
 const FRESH: Duration = Duration::from_millis(20);
 
 /// How long a client may leave the server waiting in the middle of a body or of an answer, before its connection may give way.
@@ -41,7 +41,7 @@ pub(super) struct Link {
 #[derive(Debug)]
 struct State {
     phase: Phase,
-    /// Of the client, in taking output.
+    /// How fast the client takes output.
     output: Pace,
     /// Since when a body is waited for.
     upload: Option<Instant>,
@@ -90,7 +90,7 @@ impl Link {
         Self { id, peer, is_reserve, bounds, state: Mutex::new(state), task: OnceLock::new() }
     }
 
-    /// A state is whole after each statement, so a panic elsewhere takes nothing from it.
+    /// The state is consistent after each statement, so a panic elsewhere does not damage it.
     fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }

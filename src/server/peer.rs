@@ -1,4 +1,4 @@
-//! Who is at the other end, as far as places are shared out.
+//! The peer of a connection, as it counts for the shares of places.
 
 use std::fmt;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr};

@@ -38,7 +38,7 @@ impl Places {
         Self { bounds, taken: Mutex::default() }
     }
 
-    /// Each change is one statement after all that could fail.
+    /// Every change is one statement, made after everything that could fail.
     fn taken(&self) -> MutexGuard<'_, Taken> {
         self.taken.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -24,7 +24,7 @@ pub(crate) enum Reason {
 }
 
 impl Reason {
-    /// All of them, so that each is counted from the start.
+    /// Every reason, so that each is counted from the start.
     pub(crate) const ALL: [Self; 9] = [
         Self::Done,
         Self::Broken,

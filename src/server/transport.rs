@@ -10,7 +10,7 @@ use tokio::net::TcpStream;
 
 use super::link::Link;
 
-/// What a client may send that nobody reads, before its connection is closed over it (bytes).
+/// Most bytes that a client may send without being read before its connection is closed.
 const MOST_UNREAD: usize = 4 << 20;
 
 pub(super) struct Transport {

@@ -38,7 +38,7 @@ impl Upload {
         Self { body, pace: Pace::new(link.bounds().slowest_upload), timer: None, is_complete, link }
     }
 
-    /// Whether the client is too slow, which its body waits to find out.
+    /// Whether the client is too slow; the body waits for this.
     fn poll_too_slow(&mut self, context: &mut Context<'_>) -> Poll<()> {
         if self.pace.since().is_none() {
             self.pace.wait(Instant::now);

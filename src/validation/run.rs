@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 /// One way to predict the points of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Run {
-    /// Its name among the predicted columns: the method, and what departs from the defaults of a request.
+    /// Its name among the predicted columns: the method, and the options that differ from the defaults of a request.
     pub(crate) series: &'static str,
     pub(crate) method: &'static str,
     /// Law of a braking wheel; without effect on one that drives.

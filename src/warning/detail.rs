@@ -24,7 +24,7 @@ impl Warning {
     }
 }
 
-/// A caution: the quantity and its range, what that means, what to do. Where the value varies it is the one furthest out.
+/// The sentence for a caution: quantity and range, what that means, what to do. Of several values it names the one furthest out.
 fn of_caution(caution: &Caution, varies: bool) -> String {
     let kind = caution.kind;
     let rest = format!("{} {}", kind.meaning, kind.advice);

@@ -1,7 +1,7 @@
-//! What a result says about itself: data first, and a sentence made of it as the last step.
+//! What a result says about itself: as data, with a sentence that is made from the data as the last step.
 //!
-//! [`Finding`] is the table of all that the service has to say, with the kinds of the model's cautions beside it. A warning is
-//! a finding and where it holds. Nothing else can be sent.
+//! [`Finding`] is the table of everything that the service can report; the model's cautions come from the model crate. A
+//! warning is a finding or a caution, with the rows and series for which it holds. Nothing else can be sent.
 
 mod detail;
 mod gather;
@@ -60,7 +60,7 @@ pub(crate) struct Measure {
 }
 
 impl Measure {
-    /// The value of a quantity; of a name whose suffix is no unit, the unit is not known.
+    /// The value of a quantity. The unit is not known where the name has no suffix of a unit.
     pub(crate) fn of(quantity: &str, value: f64) -> Self {
         let unit = crate::quantity::unit_of_name(quantity);
         Self { quantity: quantity.to_owned(), value, unit, lower: None, upper: None, source: None }
@@ -92,7 +92,7 @@ impl Warning {
         Self { varies, ..self }
     }
 
-    /// Of the series of these names.
+    /// The warning, holding for the series of these names.
     pub(crate) fn of_series(self, series: Vec<String>) -> Self {
         Self { series, ..self }
     }
@@ -141,7 +141,7 @@ impl From<Outside> for Warning {
     }
 }
 
-/// The warnings that a wheel and a soil carry wherever they are: of values far beyond all that the catalogue has.
+/// The warnings about a wheel and a soil in any request: values far beyond all of the catalogue.
 pub(crate) fn system_warnings(wheel: &Wheel, soil: &SoilParams) -> impl Iterator<Item = Warning> + use<> {
     catalogue::outside(wheel, soil).map(Warning::from)
 }
@@ -170,7 +170,7 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     range: Option<Range>,
-    /// The quantity that the warning is about, if it is one; where it is null in the answer, without a value.
+    /// The quantity that the warning is about, if there is one. It has no value here where it is null in the answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "diameter")]
     quantity: Option<String>,
@@ -186,7 +186,8 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "/wheel/radius_m")]
     pointer: Option<String>,
-    /// Rows that the warning holds for, as pairs of the first and the last index from 0, ascending: the first 20 pairs. Absent where it holds for every row. A track, which keeps no list, names the first row alone.
+    /// Rows that the warning holds for, as pairs of the first and the last index from 0, ascending: the first 20 pairs. Absent
+    /// where it holds for every row. A track, which keeps no list, names the first row alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     rows: Option<Vec<[u64; 2]>>,
@@ -267,7 +268,7 @@ impl ToSchema for Warning {
     }
 }
 
-/// That rows have no solution, because of `error`, which belongs to the field at `pointer`.
+/// The finding that rows have no solution, because of `error`, which belongs to the field at `pointer`.
 pub(crate) fn no_solution(error: Error, pointer: &'static str) -> Finding {
     Finding::NoSolution { reason: Reason::Model(error), pointer }
 }

@@ -16,7 +16,7 @@ impl Finding {
         }
     }
 
-    /// What data of one kind leave open of `parameters`.
+    /// The finding that such data leave `parameters` open.
     pub(crate) fn gap(gap: DesignGap, parameters: Vec<&'static str>) -> Self {
         match gap {
             DesignGap::OneSlip => Self::SingleSlip { parameters },

@@ -4,7 +4,7 @@ use terramechanics_identification::DesignGap;
 
 use super::words::{number, quoted};
 
-/// Values of one column that a sample may not have.
+/// The values of one column that are out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct BeyondRange {
     pub(crate) column: &'static str,
@@ -29,17 +29,17 @@ impl BeyondRange {
     }
 }
 
-/// What is the matter with data of one kind.
+/// What the operating points of the data do not vary.
 pub(crate) fn gap_in_words(gap: DesignGap) -> &'static str {
     match gap {
         DesignGap::OneSlip => "all samples have one slip",
-        DesignGap::OneLoad => "all samples have one load, as measured or, where it was not, as the model has it",
-        DesignGap::FewPoints => "the samples repeat so few operating points that they give no more numbers than are sought",
+        DesignGap::OneLoad => "all samples have one load, measured or, where it was not, predicted by the model",
+        DesignGap::FewPoints => "the samples repeat too few operating points to determine that many parameters",
         DesignGap::NormalForceOnly => "only the normal force is fitted, to which the shear stress adds little",
     }
 }
 
-/// What data of one kind leave open, and what to do.
+/// What such data leave open, and what to do.
 pub(super) fn design_gap(gap: DesignGap, parameters: &[&'static str]) -> String {
     let advice = match gap {
         DesignGap::OneSlip => "Measure at other slips as well.",

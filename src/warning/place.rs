@@ -1,6 +1,6 @@
-//! Where a warning holds.
+//! The rows for which a warning holds.
 
-/// Pairs that a warning names; what comes after them is told by the count.
+/// Most pairs that a warning names; the count covers the rest.
 const MOST_RANGES: usize = 20;
 
 /// Rows by their indices from 0.
@@ -26,7 +26,7 @@ impl Rows {
         Self { count: rows.len() as u64, all_named: ranges.len() <= MOST_RANGES, ranges }
     }
 
-    /// So many rows, of which only the first is known.
+    /// A number of rows of which only the first is known.
     pub(crate) fn counted(count: u64, first: u64) -> Self {
         Self { ranges: vec![[first, first]], count, all_named: count == 1 }
     }

@@ -9,7 +9,7 @@ use crate::catalogue::{CATALOGUE, Outside};
 use crate::quantity::with_unit;
 use crate::series::SeriesFault;
 
-/// What `/v1/model` tells of a finding.
+/// A finding as `/v1/model` describes it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Note {
     pub(crate) code: &'static str,
@@ -26,7 +26,7 @@ macro_rules! findings {
         $(field $pointer:expr,)?
         says $sentence:expr;
     )+) => {
-        /// Something that a result has to say of itself.
+        /// Something that a result has to report about itself.
         #[derive(Debug, Clone, PartialEq)]
         pub(crate) enum Finding {
             $(#[doc = $meaning] $name { $($data: $type),* },)+
@@ -67,7 +67,7 @@ findings! { many;
           axes of the rover, with x forward, and have changed sign.";
 
     "outside_catalogue" OutsideCatalogue { outside: Outside }
-    means "A value of the wheel or the soil is more than three times beyond the extremes of the catalogue, or a friction angle is beyond them at all. It may be right, and it may be in another unit."
+    means "A value of the wheel or the soil is more than three times beyond the extremes of the catalogue, or a friction angle is beyond them at all. It may be right, or it may be in another unit."
     about {
         let extent = outside.extent;
         Measure::of(extent.quantity, outside.value).in_unit(extent.unit).beyond(extent.lower, Some(extent.upper), CATALOGUE)
@@ -88,15 +88,16 @@ findings! { many;
     about reason.measure(),
     field pointer,
     says {
-        let first = if many { " at the first" } else { "" };
-        let advice = if pointer.is_empty() { String::new() } else { format!(" Change `{pointer}`, or leave these points out.") };
-        format!("no solution,{first} because {}.{advice}", reason.in_words())
+        let (first, points) = if many { (". The first has none", "these points") } else { (",", "this point") };
+        let advice = if pointer.is_empty() { String::new() } else { format!(" Change `{pointer}`, or leave {points} out.") };
+        format!("no solution{first} because {}.{advice}", reason.in_words())
     };
 
     "missing_value" MissingValue { columns: Vec<(&'static str, u64)> }
     means "Samples of a track lack a value: how many, the first, and which value."
     says {
-        let columns: Vec<String> = columns.iter().map(|(name, count)| format!("`{name}` in {count}")).collect();
+        let columns: Vec<String> =
+            columns.iter().map(|(name, count)| format!("`{name}` in {}", counted(*count, "sample", "samples"))).collect();
         format!("no result, because a value is missing: {}. Fill the gaps if the values are known.", listed(&columns))
     };
 
@@ -194,7 +195,7 @@ findings! { many;
     "no_linear_stresses" NoLinearStresses {}
     means "The linear stresses of a profile with two zones are null, because no shear stress acts at the peak."
     field "/braking",
-    says "the linear stresses are null: no shear stress acts at the peak of a braking wheel with two zones. Choose `one_zone` to have \
+    says "the linear stresses are null: no shear stress acts at the peak of a braking wheel with two zones. Choose `one_zone` to get \
           them.";
 
     "not_converged" NotConverged { stop: StopReason }
@@ -213,8 +214,8 @@ findings! { many;
     };
 
     "not_converged" LineNotSolved {}
-    means "The line of the linear estimator could not be solved, because its numbers are too far apart."
-    says "the line could not be solved, because its numbers are too far apart. Check the units of the data (SI).";
+    means "The line of the linear estimator could not be solved, because its numbers differ too much in size."
+    says "the line could not be solved, because its numbers differ too much in size. Check the units of the data (SI).";
 
     "not_identifiable" NotIdentifiable { parameters: Vec<&'static str> }
     means "The data do not determine all parameters; each estimate says in words what is known of it."
@@ -226,29 +227,29 @@ findings! { many;
 
     "not_identifiable" NoEstimate {}
     means "A track has no estimate of the strength, because no two of its samples differ enough."
-    says "there is no estimate of the strength, because no two samples that mobilise enough of it differ in normal stress. Drive with \
-          different loads or sinkages.";
+    says "there is no estimate of the strength. It takes two samples that mobilise enough of the strength under different normal \
+          stresses. Drive with different loads or sinkages.";
 
     "single_slip" SingleSlip { parameters: Vec<&'static str> }
     means "All samples have one slip. Only the assumed shape of the stresses tells K from c and φ, n0 from n1 and c1 from c2."
     says design_gap(DesignGap::OneSlip, parameters);
 
     "single_slip" SingleSlipOfLine {}
-    means "All samples of a linear estimate have one slip. A wrong K, which is taken as known, changes both estimates by one factor and does not show."
+    means "All samples of a linear estimate have one slip. K is taken as known; a wrong K changes both estimates by the same factor, and the fit does not show it."
     field "/soil/shear_modulus_m",
-    says "all samples have one slip. A wrong `shear_modulus_m`, which is taken as known, changes both parameters by one factor and \
-          does not show. Measure at other slips as well.";
+    says "all samples have one slip. `shear_modulus_m` is taken as known; a wrong value changes both parameters by the same factor, \
+          and the fit does not show it. Measure at other slips as well.";
 
     "single_slip" SingleSlipOfTrack { rows: u64, estimates: u64 }
-    means "The samples that a running estimate remembers have one slip. A wrong K changes both estimates by one factor and does not show."
+    means "The samples that a running estimate remembers have one slip. A wrong K changes both estimates by the same factor, and the estimate does not show it."
     field "/soil/shear_modulus_m",
     says format!(
         "in {rows} of {estimates} rows with an estimate, the samples that are remembered have one slip. A wrong `shear_modulus_m` \
-         changes both estimates by one factor and does not show. Drive with other slips as well."
+         changes both estimates by the same factor, and the estimate does not show it. Drive with other slips as well."
     );
 
     "single_load" SingleLoad { parameters: Vec<&'static str> }
-    means "All samples have one load, as measured or, where the normal force was not, as the model has it. Only the assumed shape of the stresses tells c from φ and the sinkage modulus from n0."
+    means "All samples have one load, measured or, where the normal force was not measured, predicted by the model. Only the assumed shape of the stresses tells c from φ and the sinkage modulus from n0."
     says design_gap(DesignGap::OneLoad, parameters);
 
     "single_load" SingleLoadOfTrack { rows: u64, estimates: u64 }
@@ -263,7 +264,7 @@ findings! { many;
     says design_gap(DesignGap::NormalForceOnly, parameters);
 
     "few_points" FewPoints { parameters: Vec<&'static str> }
-    means "The samples repeat so few operating points that they give no more numbers than are sought."
+    means "The samples repeat too few operating points to determine that many parameters."
     says design_gap(DesignGap::FewPoints, parameters);
 
     "at_bound" AtBound { parameter: &'static str, end: &'static str, bound: f64 }
@@ -285,28 +286,27 @@ findings! { many;
     "model_misfit" ModelMisfit { ratio: f64 }
     means "The residuals are more than twice what the given standard deviations allow."
     says format!(
-        "the residuals are {} times what the standard deviations allow: the model does not describe the data that well. The errors \
-         are wider by that factor; check units, wheel, method and standard deviations.",
+        "the residuals are {} times what the standard deviations allow: the model does not describe the data that well. The \
+         stated errors are widened by that factor. Check units, wheel, method and standard deviations.",
         number(*ratio)
     );
 
     "deviations_too_large" DeviationsTooLarge {}
     means "The residuals are less than half of what the given standard deviations allow."
-    says "the residuals are less than half of what the standard deviations allow. The errors follow from the residuals and only the \
-          ratios of the standard deviations count; send smaller ones.";
+    says "the residuals are less than half of what the standard deviations allow, so these are too large. Only their ratios are used, \
+          and the errors follow from the residuals. Send smaller standard deviations.";
 
     "column_missed" ColumnMissed { column: &'static str, rmse: f64, share: f64 }
     means "The residuals of a fitted column are more than a tenth of its size and more than a third of its spread (rms)."
     about Measure::of(column, *rmse),
     says format!(
-        "`{column}` is off by {} (rms), {:.0} % of its size: the model with these values does not describe it. Check the units, the \
-         wheel and the method.",
+        "the model with these values misses `{column}` by {} (rms), {:.0} % of its size. Check the units, the wheel and the method.",
         number(*rmse),
         100.0 * share
     );
 
     "implausible_estimate" ImplausibleEstimate { parameter: &'static str, value: f64, least: Option<f64>, largest: Option<f64>, alike: bool }
-    means "An estimate is more than ten times beyond what the soils of the catalogue have, moduli among those of like exponent, or a friction angle is beyond 60 degrees. Mostly a unit is wrong."
+    means "An estimate is more than ten times beyond what the soils of the catalogue have, moduli compared at like exponents, or a friction angle is beyond 60 degrees. The usual cause is a wrong unit."
     about Measure::of(parameter, *value).beyond(*least, *largest, CATALOGUE),
     says {
         let value = number(*value);
@@ -322,8 +322,8 @@ findings! { many;
     };
 
     "law_replaced" LawReplaced {}
-    means "`k_s` is fitted, so the direct law stands in place of the preset's."
-    says "`k_s` is fitted, so the direct law stands in place of the preset's, with its exponents. Fit `k_c` and `k_phi` to keep Bekker's law.";
+    means "`k_s` is fitted, so the law `direct` replaces that of the preset."
+    says "`k_s` is fitted, so the law `direct` replaces that of the preset and keeps its exponents. Fit `k_c` and `k_phi` to keep Bekker's law.";
 
     "samples_left_out" SamplesLeftOut { left_out: usize, samples: usize }
     means "Samples that mobilise less than 5 % of the strength do not enter the linear estimate."
@@ -333,20 +333,20 @@ findings! { many;
 
     // The figures are those of `benches/linear_bias.py`.
     "linearised_stresses" LinearisedStresses {}
-    means "Every linear estimate carries this: its errors are those of noise alone, and the assumption of linear stresses biases it. From noise-free forces of the quadrature on 663 pairs of a wheel and a soil of the catalogue, at loads of 1 to 8 kPa over width and diameter and slips of 0.1 to 0.6, it found a cohesion of up to 2.9 times the true one (median 1.9) or none, and a friction angle up to 4.5° too small (median 1.2°); in 28 of them both intervals of 95 % held the truth."
+    means "Every linear estimate carries this: its errors cover noise alone, and the assumption of linear stresses biases it. From noise-free forces of the quadrature on 663 pairs of a wheel and a soil of the catalogue, at loads of 1 to 8 kPa over width and diameter and slips of 0.1 to 0.6, it found a cohesion of up to 2.9 times the true one (median 1.9) or none, and a friction angle up to 4.5° too small (median 1.2°); in 28 of them both intervals of 95 % held the truth."
     field "/estimator",
-    says "the linear estimator takes the stresses as linear, which they are not, and its errors are those of noise alone. From noise-free \
+    says "the linear estimator takes the stresses as linear, which they are not, and its errors cover noise alone. From noise-free \
           forces of the quadrature on the wheels and soils of the catalogue it found a cohesion of up to 2.9 times the true one \
           (median 1.9) or none, and a friction angle up to 4.5° too small (median 1.2°); in 28 of 663 cases both intervals of 95 % \
-          held the truth. Take the nonlinear estimator where it matters.";
+          held the truth. Use the nonlinear estimator where this matters.";
 
     "model_bias" ModelBias { parameter: &'static str, bias: f64, half_width: f64 }
-    means "By the soil's pressure–sinkage law, linear stresses put a linear estimate off by more than the half width of its interval."
+    means "Simulated with the soil's pressure–sinkage law, linear stresses shift a linear estimate by more than half the width of its interval."
     about Measure::of(parameter, *bias),
     field "/estimator",
     says format!(
-        "by the soil's pressure–sinkage law, linear stresses put `{parameter}` off by {}, more than the half width {} of its interval. \
-         Take \"estimator\": \"nonlinear\" with the quadrature.",
+        "simulated with the soil's pressure–sinkage law, linear stresses shift `{parameter}` by {}, more than half the width of its \
+         interval, {}. Use \"estimator\": \"nonlinear\" with the quadrature.",
         number(*bias),
         number(*half_width)
     );
@@ -370,10 +370,10 @@ findings! { many;
     );
 
     "rows_without_sinkage" RowsWithoutSinkage { rows: usize }
-    means "Rows of a plate test without sinkage were left out, because a power of it tells nothing there."
+    means "Rows of a plate test at zero sinkage were left out, because the law says nothing about the moduli there."
     says format!(
-        "{} left out, because a power of the sinkage tells nothing where it is 0. Nothing needs to be done.",
-        counted(*rows as u64, "row without sinkage was", "rows without sinkage were")
+        "{} left out, because the law says nothing about the moduli there. Nothing needs to be done.",
+        counted(*rows as u64, "row at zero sinkage was", "rows at zero sinkage were")
     );
 
     "law_not_usable" LawNotUsable {}

@@ -1,4 +1,4 @@
-//! Words that sentences are made of.
+//! Numbers, names and reasons in words, for the sentences of warnings.
 
 use terramechanics::{Error, Fault, JanosiHanamoto, Parameter, Parametrised, PressureSinkage, Soil, WheelOnSoil, WheelParams};
 
@@ -31,7 +31,7 @@ pub(super) fn quoted(names: &[&str]) -> String {
     listed(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>())
 }
 
-/// So many of a thing.
+/// A count with its noun: `1 row`, `2 rows`.
 pub(crate) fn counted(count: u64, one: &str, several: &str) -> String {
     if count == 1 { format!("1 {one}") } else { format!("{count} {several}") }
 }
@@ -47,7 +47,7 @@ pub(super) fn capitalised(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// The text as it goes on behind a colon.
+/// The text as it continues after a colon.
 pub(super) fn behind_colon(text: &str) -> String {
     let has_article = ["The ", "A "].iter().any(|article| text.starts_with(article));
     if has_article { text[..1].to_lowercase() + &text[1..] } else { text.to_owned() }
@@ -63,7 +63,7 @@ pub(crate) enum Reason {
 }
 
 impl Reason {
-    /// The value that the model refuses, with the range that it would have to be in.
+    /// The value that the model refuses, with the range that it has to be in.
     pub(super) fn measure(&self) -> Option<Measure> {
         let Self::Model(error) = self else { return None };
         let of = |quantity: &str, value: f64, unit: &'static str, lower: Option<f64>, upper: Option<f64>| {
@@ -115,7 +115,7 @@ pub(super) fn pointer_of(parameter: &Parameter) -> Option<String> {
         of_wheel if WheelParams::PARAMETERS.contains(of_wheel) => "/wheel",
         of_soil if Soil::PARAMETERS.contains(of_soil) || *of_soil == JanosiHanamoto::MODULUS => "/soil",
         _ if is_of_law() => "/soil/pressure_sinkage",
-        // The rest stands at different places, or is no field at all.
+        // The others are at different places in different requests, or are no fields.
         _ => return None,
     };
     Some(format!("{place}/{name}"))

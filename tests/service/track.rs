@@ -131,8 +131,8 @@ fn a_bad_sample_is_null_with_its_reason_and_counted() {
     let warnings = reply["warnings"].as_array().expect("warnings");
     let codes: Vec<&str> = warnings.iter().map(|warning| warning["code"].as_str().expect("a code")).collect();
     assert_eq!(codes[..3], ["missing_value", "opposite_rotation", "time_backwards"]);
-    let told =
-        "At 2 rows, the first of them 1: no result, because a value is missing: `forward_velocity_m_s` in 1 and `time_s` in 1.";
+    let told = "At 2 rows, the first of them 1: no result, because a value is missing: `forward_velocity_m_s` in 1 sample and \
+                `time_s` in 1 sample.";
     assert!(warnings[0]["detail"].as_str().is_some_and(|detail| detail.starts_with(told)), "{}", warnings[0]);
     assert_eq!((&warnings[0]["rows"], &warnings[0]["count"]), (&json!([[1, 1]]), &json!(2)));
 

@@ -52,7 +52,9 @@ fn a_missing_torque_takes_only_what_is_computed_from_it() {
     );
     assert_eq!((cell(&measured, 0, "status"), cell(&measured, 1, "status")), ("ok", "missing_value"));
     assert!(warning(&measured, "missing_load").is_some_and(|detail| detail.contains("`normal_load_n` is missing")));
-    assert!(warning(&measured, "missing_value").is_some_and(|detail| detail.contains("a value is missing: `sinkage_m` in 1.")));
+    assert!(
+        warning(&measured, "missing_value").is_some_and(|detail| detail.contains("a value is missing: `sinkage_m` in 1 sample."))
+    );
 }
 
 #[test]

@@ -11,7 +11,7 @@ const BRAKING: [&str; 4] = ["quadrature", "linearised", "explicit", "quadrature_
 pub(crate) const SIDEWAYS: [&str; 4] =
     ["quadrature", "quadrature_mobilised", "quadrature_coupled", "quadrature_coupled_mobilised"];
 
-/// Of numbers that the test computes anew from the same doubles, in another order of summation.
+/// Tolerance for numbers that the test recomputes from the same doubles in another order of summation.
 const ROUNDING: f64 = 1e-12;
 
 /// A solved sinkage is good to 1e-9, and forces with it.

@@ -6,7 +6,7 @@ use std::fmt;
 /// Points of a curve, or rows of a matrix, between two questions: some tens to hundreds of microseconds of work.
 pub(crate) const POINTS_PER_QUESTION: usize = 1024;
 
-/// The caller's answer; once it was no, it stays no.
+/// The caller's answer. A no is final.
 pub(crate) struct Consent<'a> {
     go_on: &'a dyn Fn() -> bool,
     is_withdrawn: Cell<bool>,
@@ -29,7 +29,7 @@ impl<'a> Consent<'a> {
         if self.is_withdrawn.get() { Err(Stopped) } else { Ok(()) }
     }
 
-    /// Whether the caller has said no, without another question.
+    /// Whether the caller has said no. It does not ask again.
     pub(crate) fn is_withdrawn(&self) -> bool {
         self.is_withdrawn.get()
     }

@@ -1,4 +1,4 @@
-//! Derivatives of the residuals by the unknowns.
+//! Derivatives of the residuals with respect to the unknowns.
 //!
 //! At a given sinkage the forces are linear in c, tan φ and the sinkage modulus and smooth in the rest, so
 //! central differences on the scaled unknowns keep ten digits. Where the sinkage carries a load, differences through the
@@ -46,7 +46,7 @@ impl Problem<'_> {
         if jacobian.iter().all(|&entry| is_summable(entry)) { Ok(jacobian) } else { Err(Obstacle::Values) }
     }
 
-    /// Predictions beside `values`, at the sinkages of `base` where those carry a load.
+    /// Predictions at neighbouring `values`; where the sinkage carries a load, at the sinkages of `base`.
     fn beside(&self, setup: &Setup, base: &[Prediction], shift: f64) -> Result<Vec<Prediction>, Obstacle> {
         self.spend(self.samples() as u64)?;
         let system = setup.system()?;
@@ -92,7 +92,7 @@ impl Problem<'_> {
                     (Some(Err(obstacle)), _) | (_, Some(Err(obstacle))) => return Err(obstacle),
                     (None, None) => return Err(Obstacle::Values), // bounds closer together than a step
                 };
-                // At the sinkage of the base, like its neighbours: a solved force is off by the solver's tolerance.
+                // Taken at the sinkage of the base, like its neighbours: a solved force is off by the solver's tolerance.
                 let here = self.beside(&setup, base, 0.0)?;
                 match at(2.0 * side) {
                     Some(Ok(far)) => here

@@ -1,8 +1,8 @@
-//! Could any data of this kind tell the unknowns apart? What the choice of the operating points leaves out.
+//! Can data of this kind tell the unknowns apart at all? A check of the operating points, before any measured value counts.
 //!
-//! Some unknowns are only separated by a change of the operating point: without it, they differ in their effect on the data by
-//! no more than the assumed shape of the stresses, which the model has wrong by far more. The derivatives alone do not show
-//! that, since on the model's own terms they may still be independent.
+//! Some unknowns can only be told apart when the operating point changes. Without that, their effects on the data differ only
+//! through the assumed shape of the stresses, and the error of that shape is far larger than the difference. The derivatives do
+//! not show this: within the model they may still be independent.
 
 use crate::observations::Observations;
 use crate::quantity::Quantity;
@@ -12,11 +12,11 @@ use crate::unknown::Unknown;
 /// What the operating points do not vary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DesignGap {
-    /// All samples have one slip: how strength builds up with it cannot be seen.
+    /// All samples have one slip, so they do not show how the strength builds up with slip.
     OneSlip,
-    /// All samples have one load, as measured or, where no normal force was measured, as far as the model can tell.
+    /// All samples have one load, measured or, where no normal force was measured, predicted by the model.
     OneLoad,
-    /// The samples repeat so few operating points that these give no more numbers than are sought.
+    /// The samples repeat too few operating points to determine that many unknowns.
     FewPoints,
     /// Only the normal force is fitted, to which the shear stress adds a small part.
     NormalForceOnly,
@@ -25,16 +25,16 @@ pub enum DesignGap {
 /// Range of slips that counts as one.
 pub(crate) const SLIP_SPREAD: f64 = 0.01;
 
-/// Standard deviation over mean of loads that count as one: what a test bed holds a load to.
+/// Standard deviation over mean of loads that count as one: a test bed holds a load about as well.
 pub(crate) const LOAD_SPREAD: f64 = 0.05;
 
-/// The same of loads that only the model knows: what noise makes of one load that was not measured.
+/// The same for loads that the model predicts, which noise in the data scatters more widely.
 const PREDICTED_LOAD_SPREAD: f64 = 0.2;
 
-/// Relative difference of sinkages, or of loads, that count as one where operating points are counted.
+/// Relative difference below which sinkages, or loads, count as one operating point.
 const SAME_POINT: f64 = 0.05;
 
-/// The gaps of a design, each with the unknowns that it leaves together.
+/// The gaps of a design, each with the unknowns that it cannot tell apart.
 pub(crate) fn gaps(
     observations: &Observations,
     fitted: &[Quantity],
@@ -88,7 +88,7 @@ fn is_one_slip(observations: &Observations) -> bool {
     ratios().fold(f64::NEG_INFINITY, f64::max) - ratios().fold(f64::INFINITY, f64::min) < SLIP_SPREAD
 }
 
-/// By the measured normal force; where there is none, by the one that the model predicts at the solution.
+/// Uses the measured normal force; where there is none, the one that the model predicts at the solution.
 fn is_one_load(observations: &Observations, predictions: &[Prediction]) -> bool {
     let is_one = |loads: &mut dyn Iterator<Item = f64>, spread: f64| {
         let loads: Vec<f64> = loads.collect();
@@ -103,7 +103,7 @@ fn is_one_load(observations: &Observations, predictions: &[Prediction]) -> bool 
     }
 }
 
-/// Operating points that differ in slip or in sinkage by more than their repetition does, counted no further than past `most`.
+/// Number of operating points that differ in slip or in sinkage by more than repetitions do. Counting stops past `most`.
 fn distinct_points(observations: &Observations, predictions: &[Prediction], most: usize) -> usize {
     let mut known: Vec<(f64, f64)> = Vec::new();
     for (slip, prediction) in observations.slip.iter().zip(predictions) {

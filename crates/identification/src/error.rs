@@ -1,4 +1,4 @@
-//! Why data and unknowns make no problem, as data.
+//! Why a fit cannot be tried, as data.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ pub enum FitError {
     Repeated(Unknown),
     /// The model as set up has no such parameter.
     NoSuchParameter(Unknown),
-    /// Bounds that are not finite, or of which the lower is not below the upper.
+    /// Bounds that are not finite, or whose lower end is not below the upper.
     ImproperBounds(Unknown),
     /// A start outside the bounds.
     StartOutsideBounds(Unknown),
@@ -33,7 +33,7 @@ pub enum FitError {
         /// The row.
         row: usize,
     },
-    /// A column whose largest value is too small or too large to be squared and summed; one of zeros alone is not.
+    /// A column whose largest value is too small or too large to be squared and summed. A column of zeros is allowed.
     Size(Quantity),
     /// A standard deviation that is not positive, or too small or too large to be squared and summed.
     Deviation {
@@ -85,7 +85,9 @@ impl fmt::Display for FitError {
                 write!(f, "the evaluations or the time were spent before there was anything to report: send fewer samples")
             }
             Self::Stopped => write!(f, "the fit was told to stop"),
-            Self::Refused { row, error } => write!(f, "at no start does the model answer every sample; sample {row}: {error}"),
+            Self::Refused { row, error } => {
+                write!(f, "the model has no solution for all samples at any start; sample {row}: {error}")
+            }
         }
     }
 }

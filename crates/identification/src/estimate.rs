@@ -23,7 +23,7 @@ pub enum Identifiability {
     WithoutEffect,
     /// It can change together with the others, and the data stay the same.
     Inseparable(Vec<Unknown>),
-    /// The operating points do not tell it from the others but by the assumed shape of the stresses.
+    /// Only the assumed shape of the stresses tells it from the others at these operating points.
     Unseparated(DesignGap, Vec<Unknown>),
     /// Another start led to a different value that explains the data as well.
     SeveralSolutions {
@@ -32,7 +32,7 @@ pub enum Identifiability {
     },
     /// The data bound it from one side alone: that of the bound named.
     OneSided(Bound),
-    /// The interval is wider than the estimate is of use, or none can be stated.
+    /// The interval is too wide for the estimate to be of use, or no interval can be stated.
     Uncertain,
 }
 
@@ -51,10 +51,11 @@ pub struct Estimate {
     pub unknown: Unknown,
     /// Its value.
     pub value: f64,
-    /// Standard error; none where the data leave it open or it leaves the range of numbers. At a bound it is what would hold without the bound.
+    /// Standard error; none where the data leave the unknown open or the error overflows. At a bound it is the error without
+    /// the bound.
     pub standard_error: Option<f64>,
-    /// Interval of 95 %, not cut at the bounds; where the data bound it from one side alone, the other end is the bound. None
-    /// where an end leaves the range of numbers.
+    /// 95 % interval, not cut at the bounds. Where the data bound the unknown on one side alone, the other end is its bound. None
+    /// where an end overflows.
     pub interval: Option<[f64; 2]>,
     /// The bound at which it lies.
     pub at_bound: Option<Bound>,

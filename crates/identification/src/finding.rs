@@ -10,7 +10,7 @@ use crate::uncertainty::Uncertainty;
 use crate::unknown::Unknown;
 use crate::valley::FitValley;
 
-/// What every estimate is judged by.
+/// What the judgement of every estimate is based on.
 pub(crate) struct Judgement<'a> {
     pub(crate) problem: &'a Problem<'a>,
     pub(crate) best: &'a Found,
@@ -54,7 +54,7 @@ impl Judgement<'_> {
                     estimate.interval = finite_ends(flanks.ends(centre).map(|end| scale.outward(end)));
                     estimate.identifiability = flanks.finding();
                 }
-                // What was not looked at for lack of time is not called determined.
+                // An estimate that the budget left unchecked is not called determined.
                 Err(_) => estimate.identifiability = Identifiability::Uncertain,
             }
             if matches!(estimate.identifiability, Identifiability::OneSided(_)) {

@@ -29,7 +29,7 @@ const SAME_COST: f64 = 1e-6;
 /// ```
 /// use terramechanics::*;
 /// use terramechanics_identification::*;
-/// // The letter's own wheel and sand (its Fig. 1b), of which friction and shear modulus are not known.
+/// // The letter's own wheel and sand (its Fig. 1b), with friction and shear modulus unknown.
 /// let exponent = SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None };
 /// let setup = Setup {
 ///     wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?,
@@ -63,8 +63,9 @@ pub fn fit(setup: &Setup, observations: &Observations, sought: &[Sought], option
     fit_while(setup, observations, sought, options, &|| true)
 }
 
-/// The same, as long as the caller wants to go on. It is asked about every millisecond of work, at each evaluation at the latest;
-/// only the search's own decomposition of the derivatives, which for ten thousand samples takes some ten, is not interrupted.
+/// Like [`fit()`], as long as the caller wants to go on. The caller is asked about every millisecond of work, at each
+/// evaluation at the latest. Only the decomposition of the derivatives inside a search step is not interrupted; for ten
+/// thousand samples it takes some ten milliseconds.
 ///
 /// # Errors
 /// [`FitError::Stopped`] at the first no, and those of [`fit()`].
@@ -107,18 +108,18 @@ fn found(
         }
         others.clear(); // solutions of another loss
     }
-    // The report may take half as long again, and then ends as well.
+    // The report may take half as long again before it is ended, too.
     let until = options.until.map(|until| until + until.saturating_duration_since(began) / 2);
     report(&problem.for_the_report(until), &best, &others)
 }
 
-/// The best end of the searches from all starts, and the others that are as good.
+/// The best result of the searches from all starts, and the others that are as good.
 fn search(problem: &Problem<'_>, starts: u32) -> Result<(Found, Vec<Found>), FitError> {
     let own: Vec<f64> = problem.sought.iter().map(|one| one.start).collect();
     let mut found: Vec<Found> = Vec::new();
     let mut refusal: Option<(usize, Error)> = None;
     let mut is_cut = false;
-    // Where the model refuses the data at the start itself, others are looked for even if one was asked for.
+    // Where the model refuses the data at the start itself, other starts are tried even if one was asked for.
     for number in 0..MOST_STARTS {
         if number >= starts && !found.is_empty() {
             break;
@@ -156,7 +157,7 @@ fn rescale(problem: &mut Problem<'_>, values: &[f64]) {
         let rows = column * samples..(column + 1) * samples;
         let mut sizes: Vec<f64> = rows.clone().map(|row| residuals[row].abs()).collect();
         sizes.sort_unstable_by(f64::total_cmp);
-        // Exact data have no scale of their own; a billionth of the column's is below what any sensor resolves.
+        // Exact data have residuals of no size; a billionth of the column's scale is below what any sensor resolves.
         let scale = (1.4826 * sizes[samples / 2]).max(1e-9);
         problem.weights[rows].iter_mut().for_each(|weight| *weight /= scale);
     }

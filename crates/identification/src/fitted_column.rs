@@ -1,4 +1,4 @@
-//! How well is a measured column met?
+//! How well does the model reproduce a measured column?
 
 use crate::quantity::Quantity;
 
@@ -15,12 +15,12 @@ pub struct FittedColumn {
     pub rmse: f64,
 }
 
-/// Share of a column's size from which on its residuals are large: the wheels of Ding et al. (2011), which the model describes, are met
-/// within 3 to 8 % of the load (`tests/measurements.rs`).
+/// Residuals above this share of a column's size are large. The model describes the wheels of Ding et al. (2011) within 3 to 8
+/// % of the load (`tests/measurements.rs`).
 const SHARE_OF_SIZE: f64 = 0.1;
 
-/// Share of a column's spread about its mean from which on its residuals are large: they then are more than a ninth of what the column
-/// varies at all.
+/// Residuals above this share of a column's spread about its mean are large: their variance is then more than a ninth of the
+/// column's.
 const SHARE_OF_SPREAD: f64 = 1.0 / 3.0;
 
 impl FittedColumn {
@@ -44,8 +44,8 @@ impl FittedColumn {
         root_mean_square(self.measured.iter().map(|value| value - mean))
     }
 
-    /// Whether the residuals are large, both against what was measured and against what it varies: noise of some percent, or a small
-    /// miss of a load that is held, is none.
+    /// Whether the residuals are large both against the column's size and against its spread. Noise of some percent is not
+    /// large, nor is a small miss of a load that was held constant.
     #[must_use]
     pub fn is_missed(&self) -> bool {
         self.rmse > SHARE_OF_SIZE * self.size() && self.rmse > SHARE_OF_SPREAD * self.spread()

@@ -1,6 +1,6 @@
-//! How much does a residual count? Squares, or less than squares for outliers (Huber 1981, Robust Statistics).
+//! How much does a residual count? Its square, or less than that for an outlier (Huber 1981, Robust Statistics).
 //!
-//! With u the residual in units of its scale, the sum of ρ(u) is made least by least squares on v = sgn(u) √ρ(u). Near zero
+//! With u the residual in units of its scale, least squares on v = sgn(u) √ρ(u) minimise the sum of ρ(u). Near zero
 //! every loss is u². The tuning constants are those that keep 95 % of the efficiency where the noise is normal (Holland &
 //! Welsch 1977 for Huber and Cauchy); soft L1 takes 1, where it turns from squares to absolute values.
 
@@ -23,7 +23,7 @@ const HUBER: f64 = 1.345;
 /// The scale of Cauchy's loss.
 const CAUCHY: f64 = 2.385;
 
-/// A residual as least squares take it.
+/// A residual as the least-squares method sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Transformed {
     /// v = sgn(u) √ρ(u).

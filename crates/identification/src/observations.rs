@@ -46,7 +46,7 @@ impl Observations {
         }
     }
 
-    /// The quantities that are compared with predictions; those from which the sinkage comes are taken as they are.
+    /// The quantities that are compared with predictions. Those that give the sinkage are taken as known.
     #[must_use]
     pub fn fitted(&self, source: &SinkageSource) -> Vec<Quantity> {
         let taken = match source {
@@ -58,7 +58,7 @@ impl Observations {
         measured.filter(|quantity| Some(*quantity) != taken).collect()
     }
 
-    /// Whether the columns fit together and serve a source of the sinkage.
+    /// Checks that the columns fit together and contain what the source of the sinkage needs.
     pub(crate) fn check(&self, source: &SinkageSource) -> Result<(), FitError> {
         let count = self.slip.len();
         if !(1..=MOST_SAMPLES).contains(&count) {

@@ -9,7 +9,7 @@ use crate::consent::Stopped;
 pub(crate) enum Obstacle {
     /// The model refuses a row.
     Row { row: usize, error: Error },
-    /// The values make no soil or no contact.
+    /// The values are not a valid soil or contact.
     Values,
     /// The evaluations or the time are spent, or the caller does not want to go on.
     Budget,
@@ -21,7 +21,7 @@ impl From<InvalidInput> for Obstacle {
     }
 }
 
-/// A search unwinds from a no as from a budget that is spent.
+/// A search treats a no like a spent budget.
 impl From<Stopped> for Obstacle {
     fn from(_: Stopped) -> Self {
         Self::Budget

@@ -1,16 +1,17 @@
 //! How firm is the ground, from plates pressed into it? Bekker's moduli and exponent from curves of pressure over sinkage.
 //!
 //! Wong (1980, Data processing methodology in the characterization of the mechanical properties of terrain, Journal of
-//! Terramechanics 17, 13) fits ln p = ln k_i + n ln z with the weights p²: an error δp shows as δp/p in ln p, so the weights make it
-//! the fit of p itself, and the deep end of a curve counts. Then k_i = k_c/b_i + k_φ is a straight line in 1/b. The weighted
-//! normal equations were derived here and not taken from print. Departures: Wong fits an exponent for each plate and takes their
-//! mean; here one exponent is fitted to all curves at once, and each plate's own is reported beside it. And the logarithm of a
-//! pressure with noise is off to one side, as are its weights, so Wong's fit is the start of that which it stands for, the least
-//! squares of p. At small noise they are one.
+//! Terramechanics 17, 13) fits ln p = ln k_i + n ln z with the weights p². An error δp of the pressure is δp/p in ln p, so
+//! these weights turn the fit into one of p itself, and the deep end of a curve counts most. Then k_i = k_c/b_i + k_φ is a
+//! straight line in 1/b. The weighted normal equations were derived here, not taken from print.
 //!
-//! Standard errors hold for noise of any size that differs from point to point (MacKinnon & White 1985, HC3), since that of a
-//! plate may grow with the pressure or not, carried to k_c and k_φ to first order. They do not hold the scatter between
-//! soundings: with two plates the line through two moduli has none to show.
+//! Departures: Wong fits an exponent for each plate and takes their mean; here one exponent is fitted to all curves at once,
+//! and each plate's own is reported beside it. Noise biases the logarithm of the pressure and its weights, so Wong's fit only
+//! starts the search for the least squares of p. With small noise both agree.
+//!
+//! Standard errors allow for noise that differs from point to point (MacKinnon & White 1985, HC3), because the noise of a plate
+//! test may or may not grow with the pressure. They are carried to k_c and k_φ to first order. They do not include the scatter
+//! between soundings: the line through the moduli of two plates has no residual that could show it.
 
 use std::fmt;
 
@@ -52,7 +53,7 @@ pub struct PlateCurve {
 pub struct FittedPlate {
     /// k_i with the common exponent (Pa/m^n).
     pub modulus: f64,
-    /// The exponent of this curve alone; none where its sinkages are all alike.
+    /// The exponent of this curve alone; none where all its sinkages are equal.
     pub own_exponent: Option<f64>,
     /// (k_c/b + k_φ) z^n (Pa).
     pub predicted: Vec<f64>,
@@ -73,20 +74,20 @@ pub struct PlatesFit {
     pub degrees_of_freedom: f64,
 }
 
-/// Why plates give no parameters.
+/// Why plate tests give no parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlatesError {
     /// Fewer than two plates, or more than are taken.
     Count,
-    /// A curve without points or pressure or with more than [`MOST_SAMPLES`] points, with columns of different length or a value
-    /// that cannot be.
+    /// A curve without points or without pressure, with more than [`MOST_SAMPLES`] points, with columns of different length, or
+    /// with a value that is not allowed.
     Curve(usize),
     /// A plate whose width or largest pressure is too small or too large to be squared and summed, or whose largest pressure is
-    /// nothing beside that of another plate.
+    /// negligible beside that of another plate.
     Size(usize),
-    /// All plates have one width, so that k_c/b and k_φ are one number.
+    /// All plates have one width, so k_c/b and k_φ cannot be told apart.
     OneWidth,
-    /// No curve has two different sinkages, so that there is no exponent.
+    /// No curve has two different sinkages, so the exponent cannot be found.
     OneSinkage,
     /// A result leaves the range of numbers.
     NotFinite,
@@ -114,9 +115,9 @@ impl fmt::Display for PlatesError {
                 range::WORDS
             ),
             Self::OneWidth => {
-                write!(f, "all plates have one width: k_c/b and k_φ are one number then, two widths tell them apart")
+                write!(f, "all plates have one width, so k_c/b and k_φ cannot be told apart; measure with two widths")
             }
-            Self::OneSinkage => write!(f, "no curve has two different sinkages: there is no exponent to be seen"),
+            Self::OneSinkage => write!(f, "no curve has two different sinkages, so the exponent cannot be found"),
             Self::NotFinite => write!(f, "the values are too large or too small together"),
             Self::Stopped => write!(f, "the fit was told to stop"),
         }
@@ -133,7 +134,8 @@ pub fn fit_plates(curves: &[PlateCurve]) -> Result<PlatesFit, PlatesError> {
     fit_plates_while(curves, &|| true)
 }
 
-/// The same, as long as the caller wants to go on; it is asked before a curve is gone through, some hundred times for each.
+/// Like [`fit_plates`], as long as the caller wants to go on. The caller is asked before each pass over a curve, some hundred
+/// times for each.
 ///
 /// # Errors
 /// [`PlatesError::Stopped`] at the first no, and those of [`fit_plates`].
@@ -147,7 +149,7 @@ pub fn fit_plates_while(curves: &[PlateCurve], go_on: &dyn Fn() -> bool) -> Resu
     let fitted = fitted.refined()?;
     let (exponent, moduli) = (fitted.exponent, fitted.moduli());
 
-    // The line k_i = k_c/b_i + k_φ through the moduli, as rows that give k_c and k_φ from them.
+    // The line k_i = k_c/b_i + k_φ through the moduli: the rows that map the moduli to k_c and k_φ.
     let count = curves.len() as f64;
     let mean = curves.iter().map(|curve| 1.0 / curve.width).sum::<f64>() / count;
     let off_mean: Vec<f64> = curves.iter().map(|curve| 1.0 / curve.width - mean).collect();
@@ -170,7 +172,7 @@ pub fn fit_plates_while(curves: &[PlateCurve], go_on: &dyn Fn() -> bool) -> Resu
         .collect();
     let points = curves.iter().map(|curve| curve.sinkage.len()).sum::<usize>() as f64;
     let degrees_of_freedom = points - count - 1.0;
-    // d(k_c, k_φ, n) by (k_i, n).
+    // Derivatives of (k_c, k_φ, n) with respect to (k_i, n).
     let slopes = DMatrix::from_fn(3, curves.len() + 1, |row, i| match row {
         0 | 1 if i < curves.len() => rows[(row, i)],
         2 if i == curves.len() => 1.0,
@@ -185,13 +187,13 @@ pub fn fit_plates_while(curves: &[PlateCurve], go_on: &dyn Fn() -> bool) -> Resu
         .map(|(measured, predicted)| (predicted - measured).powi(2))
         .sum();
     let width = 1.0 / mean;
-    // An interval of k_c that holds 0 leaves its sign open, unless its effect is slight either way.
+    // An interval of k_c that contains 0 leaves its sign open, unless k_c matters little either way.
     let useful = [k_c.abs().max(SLIGHT * width * k_phi.abs()), k_phi.abs(), 0.3];
     let unknowns = [Unknown::CohesiveModulus, Unknown::FrictionalModulus, Unknown::BaseExponent];
     let values = [k_c, k_phi, exponent];
     let fit = PlatesFit {
         estimates: std::array::from_fn(|i| {
-            // A variance that left the range of numbers is no variance of 0.
+            // A variance that overflowed or underflowed is not a variance of 0.
             let variance = finite(covariance[(i, i)]).filter(|_| degrees_of_freedom >= 1.0);
             let error = variance.map(|variance| variance.max(0.0).sqrt());
             stated(unknowns[i], values[i], error, degrees_of_freedom, useful[i])

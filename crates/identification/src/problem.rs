@@ -29,7 +29,7 @@ pub struct Sought {
 }
 
 impl Sought {
-    /// An unknown within its usual bounds, from the value that the setup has.
+    /// An unknown within its usual bounds, starting from the value in the setup.
     #[must_use]
     pub fn from_setup(unknown: Unknown, setup: &Setup) -> Self {
         let bounds = unknown.bounds();
@@ -38,14 +38,14 @@ impl Sought {
     }
 }
 
-/// Evaluations that one solved sinkage stands for.
+/// Evaluations that one solved sinkage counts as.
 const SOLVE: u64 = 8;
 
-/// Sets of predictions that a look beside one estimate may take: both sides, refits with their derivatives.
+/// Most sets of predictions for the check of one estimate: both sides, refits with their derivatives.
 const LOOKS: u64 = 600;
 
-/// Rows by a closed form between two looks at the clock and questions to the caller: with a load to be balanced they take half a
-/// millisecond. An integral may take as long by itself, so that there each row looks.
+/// Rows between two checks of the clock and of the caller, by a closed form: with a load to balance they take half a
+/// millisecond. An integral may take as long by itself, so there every row is followed by a check.
 const ROWS_PER_LOOK: usize = 128;
 
 /// A fit to be made.
@@ -101,15 +101,15 @@ impl<'a> Problem<'a> {
         Ok(Self { setup, observations, sought: sought.to_vec(), scales, fitted, weights, loss, budget, until, consent, spent })
     }
 
-    /// The same problem with evaluations enough for one set of predictions and of derivatives and a look beside every estimate,
-    /// and with another end.
+    /// The same problem with another end, and with enough evaluations for one set of predictions, one of derivatives, and the
+    /// check of every estimate.
     pub(crate) fn for_the_report(&self, until: Option<Instant>) -> Self {
         let unknowns = self.sought.len() as u64;
         let evaluations = self.samples() as u64 * (SOLVE + 4 * unknowns + 2) + LOOKS * unknowns * self.cost();
         Self { budget: Cell::new(evaluations), until, ..self.copied() }
     }
 
-    /// The same problem with one unknown held at a value; it draws on the evaluations of this one once it is over.
+    /// The same problem with one unknown held at a value. Its evaluations are charged to this problem by `settle`.
     pub(crate) fn with_held(&self, i: usize, value: f64) -> Self {
         let mut held = self.copied();
         held.setup = self.sought[i].unknown.replaced(&self.setup, value);
@@ -118,7 +118,7 @@ impl<'a> Problem<'a> {
         held
     }
 
-    /// Takes over what another problem made of this one has left.
+    /// Takes back the evaluations that a problem derived from this one has left.
     pub(crate) fn settle(&self, other: &Self) {
         self.budget.set(other.budget.get());
         self.spent.set(other.spent.get());
@@ -144,7 +144,7 @@ impl<'a> Problem<'a> {
         self.observations.slip.len()
     }
 
-    /// Residuals that the data give.
+    /// Number of residuals from the data.
     pub(crate) fn measured_count(&self) -> usize {
         self.fitted.len() * self.samples()
     }
@@ -162,7 +162,7 @@ impl<'a> Problem<'a> {
         self.fitted.iter().any(|&quantity| self.observations.column(quantity).is_some_and(|column| column.deviation.is_some()))
     }
 
-    /// The scaled unknowns of values.
+    /// The scaled unknowns for these values.
     pub(crate) fn scaled(&self, values: &[f64]) -> DVector<f64> {
         DVector::from_iterator(values.len(), self.scales.iter().zip(values).map(|(scale, &value)| scale.inward(value)))
     }
@@ -171,7 +171,7 @@ impl<'a> Problem<'a> {
         self.sought.iter().zip(values).fold(self.setup, |setup, (one, &value)| one.unknown.replaced(&setup, value))
     }
 
-    /// Whether time or evaluations are over.
+    /// Whether time or evaluations are spent.
     pub(crate) fn is_spent(&self) -> bool {
         self.budget.get() < self.cost() || self.until.is_some_and(|until| Instant::now() >= until)
     }
@@ -183,7 +183,7 @@ impl<'a> Problem<'a> {
         Ok(())
     }
 
-    /// What `of` says of every row, until the time is over or the caller wants no more.
+    /// The result of `of` for every row, until the time is spent or the caller says no.
     pub(crate) fn by_row(&self, of: impl Fn(usize, Slip) -> Result<Prediction, Error>) -> Result<Vec<Prediction>, Obstacle> {
         let rows_per_look = match self.setup.model.method {
             Method::Quadrature | Method::SideSlipping(_) => 1,
@@ -218,7 +218,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// What the model says of every sample.
+    /// The predictions of the model for every sample.
     pub(crate) fn predictions(&self, values: &[f64]) -> Result<Vec<Prediction>, Obstacle> {
         self.spend(self.cost())?;
         let setup = self.setup_at(values);
@@ -232,8 +232,8 @@ impl<'a> Problem<'a> {
         Ok(residuals.iter().map(|&residual| self.loss.of(residual)).sum())
     }
 
-    /// Predicted minus measured over the scale of the column, before the loss; an obstacle where the model is so far off that the
-    /// squares could not be summed.
+    /// Predicted minus measured over the scale of the column, before the loss; an obstacle where the sum of squares would
+    /// overflow.
     pub(crate) fn weighted(&self, predictions: &[Prediction]) -> Result<DVector<f64>, Obstacle> {
         let mut residuals = DVector::zeros(self.rows());
         let mut place = 0;
@@ -252,7 +252,7 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// 1/σ of a column: of the given deviations, else one for all from the root mean square of the column.
+/// 1/σ for a column: from the given deviations, else one value for all rows from the root mean square of the column.
 fn weights_of(column: &crate::observations::Column) -> Vec<f64> {
     match &column.deviation {
         Some(deviation) => deviation.iter().map(|deviation| 1.0 / deviation).collect(),

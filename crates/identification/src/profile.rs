@@ -1,46 +1,49 @@
-//! Do the data bound an estimate on both sides? The cost beside the minimum, against what the errors presume of it.
+//! Do the data bound an estimate on both sides? A comparison of the cost near the minimum with the parabola that a standard error
+//! assumes.
 //!
-//! A standard error presumes that the cost rises as a parabola: at the end of the interval by t² s², with the other unknowns
-//! refitted (Bates & Watts 1988, Nonlinear Regression Analysis and Its Applications, ch. 6). Where an unknown saturates, such as
-//! the shear modulus of a soil that is sheared far beyond it, the cost rises on one side and runs level on the other, and a value
-//! that looks determined is none. So the cost is taken at both ends, the others moved along the valley, which one set of
-//! predictions shows; where that is not what was presumed, the others are refitted there and, if need be, farther out.
+//! A standard error assumes that the cost is a parabola: at the end of the interval it has risen by t² s², with the other
+//! unknowns refitted (Bates & Watts 1988, Nonlinear Regression Analysis and Its Applications, ch. 6). An unknown may saturate,
+//! such as the shear modulus of a soil that is sheared far beyond it. The cost then rises on one side and stays level on the
+//! other, and a value that looks determined is not. So the cost is evaluated at both ends, with the other unknowns moved along
+//! the valley; this takes one set of predictions. Where the cost differs from the parabola, the others are refitted there and,
+//! if necessary, farther out.
 //!
-//! Where the rise at an end is half of the presumed one, the truth lies beyond it in 1 − Φ(1.96 √0.5) = 8.3 % of all cases instead
-//! of 2.5 %, and the interval still holds it in 89 %. Below that the end is moved out to where the cost has risen as presumed.
+//! If the rise at an end is half of the assumed one, the true value lies beyond it in 1 − Φ(1.96 √0.5) = 8.3 % of all cases
+//! instead of 2.5 %, and the interval still contains it in 89 %. Below that, the end is moved out to where the cost has risen
+//! as assumed.
 //!
-//! Whether an unknown is bounded at all is asked at the far end, where the estimate would no longer be of use, and more strictly:
-//! among many fits to data that do not know the unknown, those that seem to by chance are the very ones that would be called
-//! determined. For the same reason an interval that passes narrowly reaches to the far end: chance has chosen it, and the usual one
-//! would be too short (the winner's curse).
+//! Whether an unknown is bounded at all is decided at the far end, where the estimate would no longer be of use, and by a
+//! stricter limit. Among many fits to data that carry no information on the unknown, some look determined by chance, and
+//! exactly those would be reported. For the same reason an interval that passes this limit only just is extended to the far
+//! end: it was selected by chance, and the usual interval would be too short (the winner's curse).
 
 use crate::estimate::{Bound, Identifiability};
 use crate::obstacle::Obstacle;
 use crate::uncertainty::Uncertainty;
 
-/// Rise at an end, over the presumed one, that has to be reached.
+/// Rise at an end, relative to the assumed one, that has to be reached.
 const SHARE: f64 = 0.5;
 
-/// How far the rise along the valley may be off the presumed one before the others are refitted.
+/// Relative difference from the assumed rise along the valley above which the other unknowns are refitted.
 const AGREEMENT: f64 = 0.3;
 
-/// Rise at the far end, over that presumed at the end of the interval, below which nothing is bounded: at 1.96 √3 = 3.4 standard
-/// errors, which chance passes on one side in 3 of 10 000 cases.
+/// Least rise at the far end, relative to the assumed rise at the end of the interval, for an unknown to count as bounded. It
+/// belongs to 1.96 √3 = 3.4 standard errors, which chance exceeds on one side in 3 of 10 000 cases.
 const FAR_RISE: f64 = 3.0;
 
-/// The same from which on the interval is not chosen by chance: at 4.8 standard errors.
+/// The same ratio above which the interval was not selected by chance: 4.8 standard errors.
 const SURE_RISE: f64 = 6.0;
 
-/// Share of the useful width below which an interval is too narrow for the cost to turn beyond it.
+/// Share of the useful width below which the cost cannot turn within the interval.
 const NARROW: f64 = 0.3;
 
-/// Share of the useful width below which any function is a straight line.
+/// Share of the useful width over which any function is close to a straight line.
 const STRAIGHT: f64 = 1e-3;
 
 /// Steps of the search for an end.
 const STEPS: u32 = 5;
 
-/// The cost about a minimum, over scaled unknowns. Sides are −1 and 1.
+/// The cost near a minimum, over scaled unknowns. Sides are −1 and 1.
 pub(crate) trait Valley {
     /// What the derivatives at the minimum tell.
     fn uncertainty(&self) -> &Uncertainty;
@@ -48,16 +51,16 @@ pub(crate) trait Valley {
     /// Change of the unknown `i` that would matter.
     fn useful(&self, i: usize) -> f64;
 
-    /// How far the bound of the unknown `i` is away on a side.
+    /// Distance to the bound of the unknown `i` on a side.
     fn room(&self, i: usize, side: f64) -> f64;
 
-    /// Whether that bound is nature's: no cohesion and no friction are below 0.
+    /// Whether that bound is physical: cohesion and friction cannot be below 0.
     fn is_natural(&self, i: usize, side: f64) -> bool;
 
-    /// How much the cost rises a step from the minimum, with the others moved along the valley.
+    /// Rise of the cost at a step from the minimum, with the other unknowns moved along the valley.
     fn rise_along(&self, i: usize, step: f64) -> Result<f64, Obstacle>;
 
-    /// The same with the others refitted, where that is known to be at most `most`.
+    /// The same with the other unknowns refitted, where it is known to be at most `most`.
     fn rise(&self, i: usize, step: f64, most: f64) -> Result<f64, Obstacle>;
 }
 
@@ -77,7 +80,7 @@ enum Flank {
 pub(crate) struct Flanks([Flank; 2]);
 
 impl Flanks {
-    /// What becomes of the interval of ± `half` about the scaled unknown `i`.
+    /// Judges the interval of ± `half` about the scaled unknown `i`.
     ///
     /// # Errors
     /// The budget, where it is spent.
@@ -88,7 +91,7 @@ impl Flanks {
         Ok(Self([flank(valley, i, half, -1.0)?, flank(valley, i, half, 1.0)?]))
     }
 
-    /// The ends about a centre; the bound at a side that nothing else ends.
+    /// The ends about a centre; on a side without an end, the bound.
     pub(crate) fn ends(&self, centre: f64) -> [f64; 2] {
         let [below, above] = self.0.map(|flank| match flank {
             Flank::End(distance) | Flank::Wide(distance) | Flank::Open(distance) => distance,
@@ -117,7 +120,7 @@ fn flank(valley: &impl Valley, i: usize, half: f64, side: f64) -> Result<Flank, 
     if agrees && near == half && half <= NARROW * useful {
         return Ok(Flank::End(half));
     }
-    // The way down to nothing is part of the interval.
+    // The range down to zero is part of the interval.
     if valley.is_natural(i, side) && room <= useful {
         return Ok(Flank::End(half));
     }
@@ -144,7 +147,7 @@ fn flank(valley: &impl Valley, i: usize, half: f64, side: f64) -> Result<Flank, 
     Ok(Flank::End(outer))
 }
 
-/// A distance, found by doubling, at which the cost has risen as presumed.
+/// A distance, found by doubling, at which the cost has risen as assumed.
 fn beyond(valley: &impl Valley, i: usize, step: f64, presumed: f64) -> Result<f64, Obstacle> {
     let room = valley.room(i, step);
     let mut distance = step.abs();

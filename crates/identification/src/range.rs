@@ -6,10 +6,10 @@
 /// Sizes between which the largest value of a measured quantity has to lie.
 const SIZES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
-/// Residuals and derivatives that are larger have no square that could be summed.
+/// The squares of larger residuals and derivatives could overflow when summed.
 pub(crate) const LARGEST: f64 = 1e100;
 
-/// What an error says of numbers beyond the range.
+/// What an error message says about numbers beyond the range.
 pub(crate) const WORDS: &str = "must be from 1e-100 to 1e100";
 
 /// The largest size among numbers.
@@ -27,12 +27,12 @@ pub(crate) fn is_summable(value: f64) -> bool {
     value.abs() <= LARGEST
 }
 
-/// The number, unless it left the range.
+/// The number, unless it overflowed or is not a number.
 pub(crate) fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// The ends of an interval, unless one left the range.
+/// The ends of an interval, unless one overflowed or is not a number.
 pub(crate) fn finite_ends(ends: [f64; 2]) -> Option<[f64; 2]> {
     ends.iter().all(|end| end.is_finite()).then_some(ends)
 }

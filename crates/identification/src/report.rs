@@ -33,7 +33,7 @@ pub struct Fit {
     pub condition_number: f64,
     /// Directions in which the data do not change: the share of every unknown, on the scale of its effect.
     pub dead_directions: Vec<Vec<(Unknown, f64)>>,
-    /// What the operating points do not vary, and the unknowns that need it.
+    /// What the operating points do not vary, with the unknowns that this leaves open.
     pub gaps: Vec<(DesignGap, Vec<Unknown>)>,
     /// Measurements minus determined directions.
     pub degrees_of_freedom: f64,
@@ -61,7 +61,7 @@ impl Fit {
     }
 }
 
-/// The account of the minimum `best`, beside `others` that are as good. The problem has a budget of its own for it.
+/// The report on the minimum `best` and on `others` that are as good. The problem has a budget of its own for it.
 pub(crate) fn report(problem: &Problem<'_>, best: &Found, others: &[Found]) -> Result<Fit, FitError> {
     let mut stop = best.stop;
     let refused = |obstacle| match obstacle {

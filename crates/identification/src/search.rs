@@ -1,9 +1,10 @@
 //! The search from one start: Levenberg–Marquardt within bounds.
 //!
-//! Bounds are kept by an active set around the unbounded method: unknowns at a bound that the data push outward are held, the
-//! others are fitted and put back to a bound where a step crosses it; this is repeated until neither the values nor the held
-//! ones change. A transform that maps the bounds to infinity would be shorter, but its derivative vanishes at a bound: a
-//! start there never leaves, and an estimate there, such as the cohesion of dry sand, is approached without end.
+//! An active set around the unbounded method keeps the bounds. Unknowns at a bound that the data push outward are held; the
+//! others are fitted, and put back to a bound where a step crosses it. This is repeated until neither the values nor the set of
+//! held unknowns changes. A transform that maps the bounds to infinity would be shorter, but its derivative vanishes at a
+//! bound: a start there could never leave, and an estimate there, such as the cohesion of dry sand, would be approached for
+//! ever.
 
 use std::cell::Cell;
 
@@ -27,7 +28,7 @@ pub enum StopReason {
     ExactFit,
     /// The evaluations or the time were spent before the search ended.
     Budget,
-    /// The search would go on, but every step leads to where the model has no answer.
+    /// The search could go on, but the model has no answer at any next step.
     ModelRefuses,
     /// Numbers overflowed.
     NotFinite,
@@ -61,11 +62,11 @@ const TOLERANCE: f64 = 1e-14;
 /// Share of the scale of a residual's derivative below which it does not push.
 const PUSH: f64 = 1e-12;
 
-/// Cosine between residuals and a derivative above which a search that the model stopped had further to go.
+/// A search that the model stopped is not at a minimum if the cosine between residuals and a derivative is above this.
 const UPHILL: f64 = 1e-6;
 
-/// Relative decrease and step at which a refit beside a minimum ends: a rise of the cost of a few percent is found to a few
-/// percent of it.
+/// Relative decrease and step at which a refit near a minimum ends. It finds a rise of the cost of a few percent to a few
+/// percent of that rise.
 const ROUGHLY: f64 = 1e-4;
 
 /// The minimum that is reached from `start`.
@@ -73,7 +74,7 @@ pub(crate) fn from_start(problem: &Problem<'_>, start: &[f64]) -> Result<Found, 
     minimum(problem, start, ROUNDS, TOLERANCE)
 }
 
-/// The cost of the minimum that is reached from `start`, roughly; the start's own where the search fails.
+/// The approximate cost of the minimum that is reached from `start`; the cost at the start where the search fails.
 pub(crate) fn refitted_cost(problem: &Problem<'_>, start: &[f64]) -> Result<f64, Obstacle> {
     let found = minimum(problem, start, 1, ROUGHLY)?;
     if found.stop == StopReason::Budget && problem.is_spent() { Err(Obstacle::Budget) } else { Ok(found.cost) }
@@ -135,7 +136,7 @@ fn minimum(problem: &Problem<'_>, start: &[f64], rounds: u32, tolerance: f64) ->
     Ok(Found { values, cost, stop, iterations })
 }
 
-/// The unknowns that are not at a bound, or that the data push off it.
+/// The unknowns that are not at a bound or that the data push away from it.
 fn free_unknowns(problem: &Problem<'_>, values: &[f64]) -> Result<Vec<usize>, Obstacle> {
     let all: Vec<usize> = (0..values.len()).collect();
     let at_bound = |i: usize| values[i] <= problem.sought[i].bounds.lower || values[i] >= problem.sought[i].bounds.upper;
@@ -169,7 +170,7 @@ fn reason(termination: &TerminationReason, obstacle: Option<Obstacle>) -> StopRe
         TerminationReason::Orthogonal => StopReason::Stationary,
         TerminationReason::Converged { ftol: true, .. } => StopReason::NoFurtherDecrease,
         TerminationReason::Converged { ftol: false, .. } => StopReason::SmallStep,
-        // The tests that passed to rounding but not to the tolerance, which is some tens of roundings.
+        // These tests passed to rounding but not to the tolerance, which is some tens of roundings.
         TerminationReason::NoImprovementPossible(_) => StopReason::NoFurtherDecrease,
         TerminationReason::LostPatience => StopReason::Budget,
         TerminationReason::User(_) => obstacle.map_or(StopReason::ModelRefuses, stop_of),
@@ -184,11 +185,11 @@ fn reason(termination: &TerminationReason, obstacle: Option<Obstacle>) -> StopRe
 struct Adapter<'a> {
     problem: &'a Problem<'a>,
     free: &'a [usize],
-    /// All values, of which those that are held count.
+    /// All values; only those of held unknowns are used.
     values: Vec<f64>,
     /// The free unknowns, scaled, also beyond a bound.
     point: DVector<f64>,
-    /// What ended the search, where it was not the method.
+    /// What ended the search, where it was not the method itself.
     obstacle: Cell<Option<Obstacle>>,
     /// Whether the model has refused a step since derivatives were last taken.
     refused: Cell<bool>,
@@ -206,7 +207,7 @@ impl Adapter<'_> {
         values
     }
 
-    /// The largest cosine between the residuals and a derivative; none where there are no derivatives or nothing is left.
+    /// The largest cosine between the residuals and a derivative; none without derivatives or without residuals.
     fn steepness(&self) -> Option<f64> {
         let residuals = self.residuals()?;
         let jacobian = self.jacobian()?;

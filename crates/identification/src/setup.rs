@@ -36,7 +36,7 @@ pub struct Setup {
     pub sinkage: SinkageSource,
 }
 
-/// What the model says of one sample.
+/// The prediction of the model for one sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Prediction {
     /// Sinkage z (m).
@@ -53,12 +53,12 @@ impl Setup {
     /// The wheel on its soil.
     ///
     /// # Errors
-    /// Parameters that make no soil or no contact.
+    /// Every parameter that is not valid for a soil or a contact.
     pub fn system(&self) -> Result<WheelOnSoil, InvalidInput> {
         Ok(WheelOnSoil { wheel: self.wheel, soil: Soil::new(self.soil)?, contact: Contact::new(self.contact)? })
     }
 
-    /// What the model says at `slip`, with the sinkage as given.
+    /// The prediction at `slip`, with the sinkage as given.
     pub(crate) fn predicted(&self, system: &WheelOnSoil, slip: Slip, sinkage: Sinkage) -> Result<Prediction, Error> {
         let point = Operation { system: *system, model: self.model, sinkage }.at(slip)?;
         let terramechanics::Forces { longitudinal, normal, torque, .. } = point.forces;

@@ -1,10 +1,11 @@
 //! How strong is the soil, from shear tests? Cohesion, friction and shear modulus from curves of shear stress over displacement.
 //!
 //! All curves are fitted at once by τ = (c + σ tan φ)(1 − e^(−j/K)) (Janosi & Hanamoto 1961). For a given K that is linear in c
-//! and tan φ, so only K is searched: over six decades about the range of the displacements, then by golden section. No start is
-//! needed and no local minimum missed that is wider than the scan. Derivatives for the errors are by hand, and the sum of squares
-//! itself is asked whether the data bound an estimate on both sides. Cohesion and friction are held at or above 0. A curve with a
-//! hump cannot be told from this law by its parameters: see the residuals.
+//! and tan φ, so only K is searched: over six decades around the largest displacement, then by golden section. The search needs
+//! no start and misses no local minimum that is wider than a step of the scan. The derivatives for the errors are analytic. The
+//! sum of squares itself shows whether the data bound an estimate on both sides. Cohesion and friction are kept at or above 0.
+//!
+//! Validity: curves without a hump. The parameters do not show whether a curve has one; the residuals do.
 
 use std::fmt;
 
@@ -61,15 +62,16 @@ pub struct ShearFit {
 pub enum ShearError {
     /// Fewer than two curves, or more than are taken.
     Count,
-    /// A curve without points or with more than [`MOST_SAMPLES`], with columns of different length, or a value that cannot be.
+    /// A curve without points or with more than [`MOST_SAMPLES`], with columns of different length, or with a value that is not
+    /// allowed.
     Curve(usize),
-    /// All tests have one normal stress, so that c and σ tan φ are one number.
+    /// All tests have one normal stress, so c and σ tan φ cannot be told apart.
     OneStress,
     /// Nothing is displaced, or there is no strength at all.
     NoShear,
-    /// The largest displacement is too small or too large for its ratios to be told.
+    /// The largest displacement is too small or too large for ratios to be computed.
     Displacements,
-    /// The largest stress is too small or too large to be squared and summed, or the normal stresses are nothing beside it.
+    /// The largest stress is too small or too large to be squared and summed, or the normal stresses are negligible beside it.
     Stresses,
     /// A result leaves the range of numbers.
     NotFinite,
@@ -93,7 +95,7 @@ impl fmt::Display for ShearError {
             Self::OneStress => {
                 write!(
                     f,
-                    "all tests have one normal stress: c and σ tan φ are one number then, two normal stresses tell them apart"
+                    "all tests have one normal stress, so c and σ tan φ cannot be told apart; measure under two normal stresses"
                 )
             }
             Self::NoShear => write!(f, "the curves show no strength: every displacement or every shear stress is 0"),
@@ -117,7 +119,7 @@ pub fn fit_shear_curves(curves: &[ShearCurve]) -> Result<ShearFit, ShearError> {
     fit_shear_curves_while(curves, &|| true)
 }
 
-/// The same, as long as the caller wants to go on; it is asked about every thousand points.
+/// Like [`fit_shear_curves`], as long as the caller wants to go on. The caller is asked about every thousand points.
 ///
 /// # Errors
 /// [`ShearError::Stopped`] at the first no, and those of [`fit_shear_curves`].
@@ -148,7 +150,7 @@ pub fn fit_shear_curves_while(curves: &[ShearCurve], go_on: &dyn Fn() -> bool) -
     if values.chain(predicted).all(f64::is_finite) { Ok(fit) } else { Err(ShearError::NotFinite) }
 }
 
-/// Residuals and their derivatives by c, tan φ and ln K, at least as many rows as these.
+/// Residuals and their derivatives with respect to c, tan φ and ln K, with at least three rows.
 fn evidence(points: &Points<'_>, law: &Law) -> Result<(DMatrix<f64>, DVector<f64>), Stopped> {
     let rows = points.list.len().max(3);
     let (mut jacobian, mut residuals) = (DMatrix::zeros(rows, 3), DVector::zeros(rows));

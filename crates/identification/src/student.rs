@@ -33,7 +33,7 @@ fn expansion(freedom: f64) -> f64 {
     terms.iter().rev().fold(0.0, |sum, term| (sum + term) / freedom) + x
 }
 
-/// By bisection: P(|T| < t) grows with t, from 0 at 0, and is beyond 0.95 at 13 even for one degree of freedom.
+/// Bisection: P(|T| < t) grows with t from 0 at 0, and exceeds 0.95 at 13 even for one degree of freedom.
 fn of_whole(freedom: f64) -> f64 {
     let (mut low, mut high) = (1.9, 13.0);
     for _ in 0..60 {

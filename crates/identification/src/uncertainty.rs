@@ -1,13 +1,14 @@
 //! How certain are the estimates, and in which directions do the data say nothing?
 //!
-//! The derivatives J of the weighted residuals at the solution, with columns scaled to length one, are decomposed into
-//! singular values. A direction whose singular value is 1e-7 of the largest or less is dead: along it the data do not change
-//! but for the rounding of the derivatives. Standard errors are those of the linearised problem, P Σ Pᵀ with P the
-//! pseudo-inverse of J: where standard deviations are given, one factor common to all residuals is estimated from them;
-//! where none are given, each residual over one minus its leverage stands for its own deviation (White 1980; MacKinnon & White
-//! 1985, HC3), since nothing says that a torque is measured as well as a force, or a large force as well as a small one. Degrees
-//! of freedom are the measurements minus the directions that they determine. Under a robust loss ψ(u)/mean ψ' stands for the
-//! residual (Huber 1981).
+//! The derivatives J of the weighted residuals at the solution, with columns scaled to length one, are decomposed into singular
+//! values. A direction is dead if its singular value is at most 1e-7 of the largest: along it the predictions change only by
+//! the rounding of the derivatives.
+//!
+//! Standard errors are those of the linearised problem, P Σ Pᵀ with P the pseudo-inverse of J. Where standard deviations are
+//! given, the residuals determine one common factor for all of them. Where none are given, each residual divided by one minus
+//! its leverage stands for its own deviation (White 1980; MacKinnon & White 1985, HC3), because a torque may not be measured as
+//! well as a force, nor a large force as well as a small one. The degrees of freedom are the measurements minus the directions
+//! that they determine. With a robust loss, ψ(u)/mean ψ' takes the place of the residual (Huber 1981).
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
@@ -20,18 +21,18 @@ use crate::student::quantile_95;
 /// Share of the largest singular value at which a direction counts as dead; the derivatives keep nine digits or more.
 const DEAD: f64 = 1e-7;
 
-/// Component of a dead direction, of length one, from which on an unknown counts as part of it.
+/// Least component of an unknown in a dead direction of length one for the unknown to count as part of it.
 const PART: f64 = 1e-3;
 
 /// Mean of ψ' below which nearly all residuals are outliers and no error can be stated.
 const LEAST_CURVATURE: f64 = 0.05;
 
-/// What the derivatives at the solution tell, on the scaled unknowns.
+/// Errors and dead directions at the solution, on the scaled unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct Uncertainty {
-    /// Standard error of every scaled unknown; none where it is part of a dead direction, or no freedom is left.
+    /// Standard error of every scaled unknown; none for part of a dead direction, or without degrees of freedom.
     pub(crate) standard_error: Vec<Option<f64>>,
-    /// Half of the interval of 95 %, on the same scale.
+    /// Half the width of the 95 % interval, on the same scale.
     pub(crate) half_width: Vec<Option<f64>>,
     /// Correlation of the estimates; none with an unknown that has no standard error.
     pub(crate) correlation: Vec<Vec<Option<f64>>>,
@@ -45,25 +46,25 @@ pub(crate) struct Uncertainty {
     pub(crate) degrees_of_freedom: f64,
     /// Sum of squared weighted residuals over the degrees of freedom, if there are any.
     pub(crate) reduced_chi_square: Option<f64>,
-    /// (JᵀJ)⁻¹ on the scaled unknowns, over the directions alive.
+    /// (JᵀJ)⁻¹ on the scaled unknowns, without the dead directions.
     inverse: DMatrix<f64>,
     /// Mean of ψ', which is 1 for least squares.
     mean_curvature: f64,
 }
 
-/// How the errors of the rows differ.
+/// What is assumed about the errors of the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Scatter {
-    /// They have one variance once they are weighted.
+    /// Weighted, they have one variance.
     Common,
-    /// Each has its own.
+    /// Each row has a variance of its own.
     ByRow,
-    /// The one or the other, whichever makes an estimate less certain: where a few rows alone tell of an unknown, their own residuals may
-    /// be small by chance.
+    /// Whichever of the two makes an estimate less certain: where only a few rows determine an unknown, their residuals may be
+    /// small by chance.
     Either,
 }
 
-/// Leverage above which a row has no residual of its own: the fit passes through it whatever it is.
+/// Leverage above which a row has no residual of its own: the fit passes through it whatever its value.
 const ALL_LEVERAGE: f64 = 0.99;
 
 /// What the uncertainty is found from.
@@ -80,7 +81,7 @@ pub(crate) struct Evidence<'a> {
     pub(crate) loss: Loss,
 }
 
-/// Change of the weighted residuals, as a root mean square, that counts as none.
+/// Change of the weighted residuals (root mean square) that counts as no effect.
 const NO_EFFECT: f64 = 1e-9;
 
 /// Steps of the decomposition into singular values; each value takes two or three.
@@ -115,7 +116,7 @@ impl Uncertainty {
         let smallest = svd.singular_values.min();
         let condition_number = if dead_directions.is_empty() { largest / smallest } else { f64::INFINITY };
 
-        // (JᵀJ)⁻¹ = V S⁻² Vᵀ over the directions alive, on unknowns scaled by their effect; P = (JᵀJ)⁻¹ Jᵀ.
+        // (JᵀJ)⁻¹ = V S⁻² Vᵀ without the dead directions, on unknowns scaled by their effect; P = (JᵀJ)⁻¹ Jᵀ.
         let mut inverse = DMatrix::zeros(count, count);
         for i in (0..count).filter(|&i| alive(i)) {
             let direction = right.row(i).transpose();
@@ -160,7 +161,7 @@ impl Uncertainty {
             !dead && freedom >= 1.0 && mean_curvature > LEAST_CURVATURE
         };
         let effect = |i: usize| if norms[i] > 0.0 { norms[i] } else { 1.0 };
-        // A variance that left the range of numbers is no variance of 0.
+        // A variance that overflowed or underflowed is not a variance of 0.
         let error = |i: usize| finite(covariance[(i, i)]).and_then(|variance| finite(variance.max(0.0).sqrt() / effect(i)));
         let standard_error: Vec<Option<f64>> = (0..count).map(|i| error(i).filter(|_| stated(i))).collect();
         let factor = quantile_95(freedom);
@@ -184,7 +185,7 @@ impl Uncertainty {
         })
     }
 
-    /// How much the cost rises over `distance` of the scaled unknown `i` with the others refitted, were it a parabola.
+    /// Rise of the cost at `distance` of the scaled unknown `i`, with the others refitted, if the cost were a parabola.
     pub(crate) fn presumed_rise(&self, i: usize, distance: f64) -> f64 {
         self.mean_curvature * distance * distance / self.inverse[(i, i)]
     }
@@ -231,9 +232,9 @@ fn triangular_factor(matrix: &DMatrix<f64>, consent: &Consent<'_>) -> Result<DMa
     Ok(factor)
 }
 
-/// S and V of a matrix of finite numbers, in falling order; none where they do not come out within the steps.
+/// S and V of a matrix of finite numbers, in falling order; none where the iteration does not end within the steps.
 fn singular_values(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
-    // With the tolerance of nalgebra's own `svd`, which has no end of its steps.
+    // The tolerance of nalgebra's own `svd`, which does not limit its steps.
     let mut svd = SVD::try_new_unordered(matrix, false, true, 5.0 * f64::EPSILON, DECOMPOSITION_STEPS)?;
     if !svd.singular_values.iter().all(|value| value.is_finite()) {
         return None;
@@ -242,12 +243,12 @@ fn singular_values(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
     Some(svd)
 }
 
-/// Correlation of two estimates; where both are certain to the last digit it has no meaning but for an unknown with itself.
+/// Correlation of two estimates. Where both are certain to the last digit it is defined only for an unknown with itself.
 fn correlation(covariance: &DMatrix<f64>, i: usize, k: usize) -> Option<f64> {
     if i == k {
         return Some(1.0);
     }
     let ratio = covariance[(i, k)] / (covariance[(i, i)].sqrt() * covariance[(k, k)].sqrt());
-    // Rounding may carry it beyond one by its last digit.
+    // Rounding may push it beyond one in the last digit.
     ratio.is_finite().then(|| ratio.clamp(-1.0, 1.0))
 }

@@ -37,7 +37,7 @@ pub enum Unknown {
     StaticSinkage,
 }
 
-/// Share of the frictional modulus times the width below which the sign of the cohesive modulus does not matter.
+/// Below this share of the frictional modulus times the width, the sign of the cohesive modulus does not matter.
 pub(crate) const SLIGHT: f64 = 0.01;
 
 /// A closed range of values.
@@ -68,7 +68,7 @@ impl Range {
         (self.lower..=self.upper).contains(&value)
     }
 
-    /// The part that two ranges share; this one where they share none.
+    /// The overlap of two ranges; this one where they do not overlap.
     fn shared_with(&self, other: &Self) -> Self {
         let shared = Self::new(self.lower.max(other.lower), self.upper.min(other.upper));
         if shared.is_proper() { shared } else { *self }
@@ -93,7 +93,7 @@ impl Unknown {
         Self::StaticSinkage,
     ];
 
-    /// Bounds where none are given: what a soil can have, wide enough that no measured one lies outside.
+    /// Bounds where none are given: physical limits, wide enough for every measured soil.
     #[must_use]
     pub fn bounds(self) -> Range {
         match self {
@@ -112,7 +112,7 @@ impl Unknown {
         }
     }
 
-    /// Where further starts are looked for: the values of sands, regoliths and their simulants.
+    /// Range of further starts: the values of sands, regoliths and their simulants.
     pub(crate) fn search_range(self, bounds: &Range) -> Range {
         let usual = match self {
             Self::Cohesion => Range::new(0.0, 3e3),
@@ -147,8 +147,8 @@ impl Unknown {
         }
     }
 
-    /// How far off a value may be and still be of use, beside a value of `value`; an estimate that is less certain counts as
-    /// not determined. For moduli and lengths that is the value itself, for the others a fixed share of what soils span.
+    /// Largest useful error of an estimate of `value`; an estimate that is less certain counts as not determined. For moduli
+    /// and lengths it is the value itself, for the others a fixed share of the range of soils.
     pub(crate) fn useful_width(self, value: f64, setup: &Setup) -> f64 {
         match self {
             Self::Cohesion => value.abs().max(500.0),
@@ -197,7 +197,7 @@ impl Unknown {
         changed
     }
 
-    /// Where a setup keeps the value.
+    /// The place of the value in a setup.
     fn place<'a>(
         self,
         soil: &'a mut terramechanics::SoilParams,
@@ -271,7 +271,7 @@ impl fmt::Display for Unknown {
     }
 }
 
-/// How a value is written as a number of about one that the fit moves.
+/// The scale on which the fit moves a value, with numbers of about one.
 ///
 /// Moduli span decades and K_s z^N is a straight line in ln K_s and N, so they move on a logarithmic scale.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,4 +1,4 @@
-//! The cost of a fit about its minimum.
+//! The cost of a fit near its minimum.
 
 use crate::obstacle::Obstacle;
 use crate::problem::Problem;
@@ -7,7 +7,7 @@ use crate::search::{Found, refitted_cost};
 use crate::uncertainty::Uncertainty;
 use crate::unknown::Unknown;
 
-/// A minimum with what it takes to look beside it.
+/// A minimum with what is needed to evaluate the cost near it.
 pub(crate) struct FitValley<'a> {
     pub(crate) problem: &'a Problem<'a>,
     pub(crate) best: &'a Found,
@@ -26,7 +26,7 @@ impl FitValley<'_> {
         (0..self.best.values.len()).map(value).collect()
     }
 
-    /// A cost over that of the minimum; `otherwise` where the model has no answer.
+    /// A cost minus that of the minimum; `otherwise` where the model has no answer.
     fn above(&self, cost: Result<f64, Obstacle>, otherwise: f64) -> Result<f64, Obstacle> {
         match cost {
             Ok(cost) => Ok((cost - self.best.cost).max(0.0).min(otherwise)),

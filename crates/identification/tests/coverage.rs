@@ -1,4 +1,4 @@
-//! Of intervals of 95 %, 95 in 100 hold the truth.
+//! 95 % intervals contain the true value 95 times in 100.
 
 mod common;
 
@@ -11,8 +11,8 @@ const REPETITIONS: u64 = 300;
 /// What is asked of the share of intervals that hold the truth. The share of 300 true 95 % intervals scatters by 1.3 %.
 const COVERED: std::ops::RangeInclusive<f64> = 0.92..=0.98;
 
-/// Repetitions of the slower cases, and what is asked of their shares, which scatter by 2.2 and 3.4 %; and of noise that differs from row to row, where
-/// the errors are only right for many samples.
+/// Repetitions of the slower cases, and what is asked of their shares, which scatter by 2.2 and 3.4 %; and of noise that
+/// differs from row to row, where the errors are only right for many samples.
 const FEW_REPETITIONS: u64 = 100;
 const FEWEST_REPETITIONS: u64 = 40;
 const WIDELY_COVERED: std::ops::RangeInclusive<f64> = 0.9..=1.0;
@@ -152,7 +152,7 @@ fn intervals_hold_the_truth_as_often_as_they_say_without_known_deviations() {
 fn a_robust_loss_holds_against_outliers_that_ruin_least_squares() {
     let truth = truth(Method::EXPLICIT, SinkageSource::Measured);
     let clean = measured(&truth, &programme(40));
-    // Of one data set a loss may come out well or badly by chance, so twenty are taken.
+    // On one data set a loss may do well or badly by chance, so twenty are taken.
     let error_of = |loss: Loss| -> f64 {
         let options = FitOptions { loss, ..FitOptions::default() };
         let error = |seed: u64| {

@@ -10,7 +10,7 @@ use terramechanics_identification::{
 /// Noise-free recovery of the plates: closed form, so rounding alone.
 const PLATES: f64 = 1e-10;
 
-/// Of the shear tests: the minimum of a smooth function of K is found to the root of rounding.
+/// Tolerance for shear tests: the minimum of a smooth function of K is found to the square root of rounding.
 const SHEAR: f64 = 1e-6;
 
 fn plate(width: f64, k_c: f64, k_phi: f64, n: f64) -> PlateCurve {
@@ -52,9 +52,9 @@ fn the_deep_end_of_a_curve_counts() {
     assert!(weighted < 0.02 && weighted < 0.5 * plain, "{weighted} against {plain}");
 }
 
-/// Static plate tests on dry sand (Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, paper 3G12; read from the
-/// vectors of its figure): width (m), pressure (Pa) and sinkage (mm). The wider plate is the stiffer one at a given sinkage, the opposite
-/// of a cohesive soil, and the fit says so by a negative k_c.
+/// Static plate tests on dry sand (Yoshida et al. 2003, Annual Conference of the Robotics Society of Japan, paper 3G12; read
+/// from the vectors of its figure): width (m), pressure (Pa) and sinkage (mm). The wider plate is the stiffer one at a given
+/// sinkage, the opposite of a cohesive soil, and the fit says so by a negative k_c.
 #[test]
 fn plates_on_dry_sand_give_a_negative_cohesive_modulus() {
     let curve = |width: f64, points: [(f64, f64); 8]| PlateCurve {
@@ -160,7 +160,7 @@ fn intervals_of_shear_tests_hold_the_truth_whatever_the_noise() {
                 *covered += u32::from((low..=high).contains(&truth));
             }
         }
-        // Of the two errors the larger is stated, so more than 95 % may be held.
+        // The larger of two errors is stated, so more than 95 % may contain the true value.
         assert!(covered.iter().all(|covered| *covered >= 276), "{name}: {covered:?} of 300");
     }
 }

@@ -85,8 +85,9 @@ fn sample(system: &WheelOnSoil, ratio: f64, normal: f64, strength: f64) -> Rolli
 
 /// Noise on the strength alone, as the covariance assumes: its mean is the variance that many runs show.
 ///
-/// Of `RUNS` estimates that are normal the variance is known to √(2/RUNS), 3.7 %; the mean of the reported ones, each with
-/// (1 + λ)/(1 − λ) − 2 degrees of freedom or more, of which λ = 0.6 leaves two, to as much again. Four of both together are 21 %.
+/// The variance of `RUNS` normal estimates is known to √(2/RUNS), 3.7 %. The mean of the reported variances is known to as much
+/// again: each has at least (1 + λ)/(1 − λ) − 2 degrees of freedom, two at λ = 0.6. Four standard deviations of both together
+/// are 21 %.
 #[test]
 fn the_reported_variance_is_the_one_that_noise_causes() {
     const RUNS: usize = 1500;

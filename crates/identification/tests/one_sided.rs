@@ -8,10 +8,11 @@ use terramechanics_identification::{
     Bound, FitOptions, Identifiability, ShearCurve, SinkageSource, Unknown, fit, fit_shear_curves,
 };
 
-/// Of all fits, those that call an estimate determined and are wrong: no more than intervals of 95 % are, on the side that matters.
+/// Share of all fits that call an estimate determined and are wrong: no more than 95 % intervals are, on the side that matters.
 const WRONG: f64 = 0.025;
 
-/// Two shear tests at displacements of 0.1, 0.2 and 0.3 m, of which the sum of squares is 1.025 at K = 13.7 mm and 1.333 at 0.1 mm.
+/// Two shear tests at displacements of 0.1, 0.2 and 0.3 m, of which the sum of squares is 1.025 at K = 13.7 mm and 1.333 at 0.1
+/// mm.
 #[test]
 fn stresses_beyond_saturation_bound_the_shear_modulus_from_above_alone() {
     let test = |normal: f64, shear: [f64; 3]| ShearCurve { normal, displacement: vec![0.1, 0.2, 0.3], shear: shear.to_vec() };

@@ -26,19 +26,19 @@ pub struct FieldFault {
 /// The number that was refused, and those that are taken.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, ToSchema)]
 pub struct Figures {
-    /// The number that was refused; of a list, how many items it has.
+    /// The number that was refused; for a list, its number of items.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = -5)]
     pub value: Option<f64>,
-    /// The smallest number that is taken.
+    /// The smallest number that is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = 0)]
     pub minimum: Option<f64>,
-    /// The largest number that is taken.
+    /// The largest number that is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = 1e8)]
     pub maximum: Option<f64>,
-    /// In place of `maximum`: the number below which those that are taken lie.
+    /// In place of `maximum`: a number that the value has to be below.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     pub exclusive_maximum: Option<f64>,

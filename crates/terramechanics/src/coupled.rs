@@ -1,23 +1,22 @@
-//! What follows from forces that are measured? Torque from the load, and the longitudinal force from load and torque (Ding et
-//! al. 2009, 2015), the coupled forms from which the letter sets its own apart (below its Eq. 18).
+//! What do measured forces tell without a pressure–sinkage law? The torque from the load, and the longitudinal force from load
+//! and torque (Ding et al. 2009, 2015). The letter contrasts its own formulas with these coupled forms (below its Eq. 18).
 //!
-//! Of linear stresses (letter, Eq. 11) the normal force F_z = A X + B Y, the torque T = r_s H Y and the shear stress at the
-//! peak, Y = r_s E (b c + X tan φ/r_n), are three equations. A load W = F_z that is known takes the place of the
-//! pressure–sinkage law, which cancels:
+//! Linear stresses (letter, Eq. 11) give three equations: the normal force F_z = A X + B Y, the torque T = r_s H Y, and the
+//! shear stress at the peak, Y = r_s E (b c + X tan φ/r_n). A known load W = F_z replaces the pressure–sinkage law, which
+//! cancels:
 //!
 //! | what | here |
 //! |---|---|
 //! | T = r_s² H E [b c + W tan φ/(r_n A)] / [1 + r_s B E tan φ/(r_n A)] | [`Coupled::forces`] without a torque |
 //! | F_x = (A/H + B²/(A H)) T/r_s − (B/A) W | [`Coupled::forces`] |
 //!
-//! Validity: that of the linear stresses. A wheel that brakes so hard that the shear stress takes away what the normal stress
-//! supports carries no load by them: the denominator vanishes, which is refused. A load below what the shear stress supports
-//! alone leaves a negative normal stress, of which [`CoupledForces::caution`] tells.
+//! Units: SI. Validity: that of linear stresses. If a wheel brakes so hard that the shear stress takes away all that the normal
+//! stress supports, the denominator vanishes and the wheel is refused. If the load is below what the shear stress alone
+//! supports, the normal stress is negative, and [`CoupledForces::caution`] says so.
 //!
-//! Departures: the papers were not read; the formulas were seen in public simulation code, with r for r_n and without the
-//! coefficients that were fitted to one test wheel (a torque and a pull that vary with the load), which are left out. The forms
-//! above were derived anew from Eq. (11) for lugs and for both radii of the normal stress, and the tests hold them to the
-//! linearised method.
+//! Departures: the papers were not read; the formulas were seen in public simulation code, with r for r_n. That code also has
+//! coefficients fitted to one test wheel, by which torque and pull vary with the load; they are left out. The forms above were
+//! derived from Eq. (11) for lugs and for both radii of the normal stress, and tests compare them with the linearised method.
 
 use crate::caution::{Caution, DEEP_SINKAGE, NEGATIVE_NORMAL_STRESS, SLIP_BEYOND_COUPLED_TESTS};
 use crate::error::Error;
@@ -27,8 +26,8 @@ use crate::patch::ContactPatch;
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::slip::{Heading, Slip};
 
-/// Share of the support by the normal stress that has to be left by the shear stress of a braking wheel: with less, seven
-/// digits of the torque would be lost in the difference.
+/// Least share of the support by the normal stress that the shear stress of a braking wheel may leave: with less, the difference
+/// would lose seven digits of the torque.
 const LEAST_SUPPORT: f64 = 1e-7;
 
 /// What is known of the forces on a wheel.

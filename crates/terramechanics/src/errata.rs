@@ -9,7 +9,7 @@ pub struct Erratum {
     pub number: u8,
     /// What is printed, and where.
     pub printed: &'static str,
-    /// Why that cannot be meant.
+    /// Why that is an error.
     pub reason: &'static str,
     /// What is computed instead.
     pub computed: &'static str,

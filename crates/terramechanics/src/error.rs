@@ -160,10 +160,10 @@ impl fmt::Display for Error {
                 write!(f, "the sinkage {sinkage} m must be greater than 0 and at most the wheel's radius {radius} m")
             }
             Self::ModulusNotPositive { modulus } => {
-                write!(f, "the sinkage modulus is {} Pa/m^N on this wheel, it must be greater than 0", Digits(modulus))
+                write!(f, "the sinkage modulus is {} Pa/m^N on this wheel and must be greater than 0", Digits(modulus))
             }
             Self::ExponentNotPositive { exponent } => {
-                write!(f, "the sinkage exponent n0 + n1 s is {}, it must be greater than 0", Digits(exponent))
+                write!(f, "the sinkage exponent n0 + n1 s is {} and must be greater than 0", Digits(exponent))
             }
             Self::PeakOutsideContact { entry, peak, exit } => write!(
                 f,
@@ -175,16 +175,22 @@ impl fmt::Display for Error {
             Self::ReversalOutsideContact { entry, reversal, exit } => write!(
                 f,
                 "the two zones of a braking wheel part at {} rad, which must lie strictly between the exit angle {} rad and the \
-                 entry angle {} rad: another skid or another sinkage",
+                 entry angle {} rad; choose another skid or another sinkage",
                 Digits(reversal),
                 Digits(exit),
                 Digits(entry)
             ),
             Self::ClosedFormOfTwoZones => {
-                write!(f, "two zones have no closed form: no shear stress acts at their peak; the quadrature takes them")
+                write!(
+                    f,
+                    "a braking wheel with two zones has no closed form, because no shear stress acts at its peak; use the quadrature"
+                )
             }
             Self::SlipAngleOfTwoZones => {
-                write!(f, "two zones take no slip angle: no law for the force across such a wheel is known; one zone takes it")
+                write!(
+                    f,
+                    "no law is known for the lateral force of a braking wheel with two zones; use one zone with a slip angle"
+                )
             }
             Self::NotFreeRolling { load, slip, torque } => write!(
                 f,
@@ -202,7 +208,7 @@ impl fmt::Display for Error {
             ),
             Self::LoadTooLight { load, least, sinkage } => write!(
                 f,
-                "a wheel that brakes like this with two zones digs itself in by {} m at least, where it carries {} N, more than {} N",
+                "a wheel that brakes like this with two zones digs in by at least {} m, where the soil carries {} N, more than the load {} N",
                 Digits(sinkage),
                 Digits(least),
                 Digits(load)

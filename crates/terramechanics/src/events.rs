@@ -18,7 +18,7 @@ pub struct Thresholds {
 }
 
 impl Default for Thresholds {
-    /// 80 % slip for two seconds; a sinkage of half the radius. Chosen for want of a published rule.
+    /// 80 % slip for two seconds; a sinkage of half the radius. A choice, because no published rule is known.
     fn default() -> Self {
         Self::CHOSEN
     }

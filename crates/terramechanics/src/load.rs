@@ -1,12 +1,12 @@
 //! How deep does a loaded wheel sink? The sinkage at which the normal force balances the load.
 //!
-//! F_z grows about as z^(N + 1/2), so the balance is sought in y = sgn(F_z) |F_z|^(1/(N + 1/2)), which is nearly a straight
-//! line in z: a bracket found from one guess, then Brent's method, need few evaluations. On a driving wheel with its
-//! exit at the lowest point F_z grows with z and the balance is unique; else the one nearest to Bekker's estimate is found,
-//! where F_z rises through the load: a wheel set on the soil comes to rest there.
+//! F_z grows about as z^(N + 1/2), so the search uses y = sgn(F_z) |F_z|^(1/(N + 1/2)), which is nearly a straight line in z. A
+//! bracket from one guess and Brent's method then need few evaluations. On a driving wheel whose exit is at the lowest point
+//! F_z grows with z, and the balance is unique. Otherwise the search finds the balance nearest to Bekker's estimate at which
+//! F_z rises through the load, because a wheel that is set on the soil comes to rest there.
 //!
-//! Two zones of a braking wheel need a sinkage of their own, below which there is no contact: the balance is then sought in the
-//! sinkage beyond that, which is the depth under the peak.
+//! The two zones of a braking wheel need a least sinkage, below which there is no contact. The search then runs over the sinkage
+//! beyond it, which is the depth under the peak.
 
 use crate::error::Error;
 use crate::forces::{ForceModel, Forces};
@@ -14,34 +14,35 @@ use crate::numerics::brent::{Sample, bracketed_root};
 use crate::pressure_sinkage::PressureCurve;
 use crate::rolling::{Rolling, WheelOnSoil};
 
-/// Relative tolerance of the sinkage: what the quadrature's own error allows.
+/// Relative tolerance of the sinkage, as small as the error of the quadrature allows.
 const TOLERANCE: f64 = 1e-13;
 
 /// Residual, relative to the scale of the normal force, beyond which a balance counts as not met.
 const LARGEST_RESIDUAL: f64 = 1e-9;
 
-/// Share of the load by which an answer may miss it. The parts of the normal force may be so large beside the load that their
-/// rounding alone is more: then there is no answer.
+/// Largest error of an answer as a share of the load. Where the parts of the normal force are so large beside the load that their
+/// rounding exceeds this, there is no answer.
 const LARGEST_MISS: f64 = 1e-6;
 
-/// Steps outward for a bracket: the least growth of each adds up to 27 decades of sinkage.
+/// Most steps outward for a bracket. Even at their least growth they cover 27 decades of sinkage.
 const BRACKET_STEPS: u32 = 30;
 
-/// Least growth of the first outward step; it doubles with every step, for near a contact that carries a load without any
-/// depth (two zones in cohesive soil) a line through the origin says little about where the load is.
+/// Least growth of the first outward step; it doubles with every step. A contact with two zones in cohesive soil carries load
+/// at zero depth, and a line through the origin then says little about where the balance is.
 const FIRST_STRIDE: f64 = 0.02;
 
 /// Largest factor of an outward step.
 const LONGEST_STRIDE: f64 = 16.0;
 
-/// Share of a least sinkage beyond it within which no balance is sought: digits are left to tell the two apart.
+/// Distance from the least sinkage, as a share of it, within which no balance is sought, so that digits remain to tell the two
+/// apart.
 const NEAREST: f64 = 1e-12;
 
-/// Depths at which the normal force is sampled where it does not reach the load at z = r.
+/// Number of depths at which the normal force is sampled where it does not reach the load at z = r.
 const CAPACITY_SAMPLES: u32 = 64;
 
-/// Steps by which the largest normal force is closed in on; the normal force is flat there, so its place to 1e-8 of a stride
-/// gives its value to rounding.
+/// Steps of the search for the largest normal force. The force is flat at its maximum, so 1e-8 of a stride in place gives its
+/// value to rounding.
 const SUMMIT_STEPS: u32 = 40;
 
 /// A solved load balance.
@@ -49,9 +50,9 @@ const SUMMIT_STEPS: u32 = 40;
 pub struct CarriedLoad {
     /// Sinkage z (m).
     pub sinkage: f64,
-    /// Normal force minus load that is left (N).
+    /// Remaining difference, normal force minus load (N).
     pub residual: f64,
-    /// Evaluations of the forces that were spent.
+    /// Evaluations of the forces.
     pub iterations: u32,
     /// The forces at that sinkage.
     pub forces: Forces,
@@ -61,9 +62,10 @@ impl ForceModel {
     /// The sinkage z in 0 < z ≤ r at which the normal force equals `load` (N), by the same method as the forces.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a load not greater than 0; [`Error::LoadBeyondCapacity`] with the largest load the soil
-    /// carries; [`Error::LoadTooLight`] with the least that a braking wheel with two zones carries;
-    /// [`Error::LoadNotBalanced`] with what was reached, where that misses the load by more than a millionth of it; what [`Rolling::contact`] and [`ForceModel::forces`] refuse.
+    /// [`Error::Invalid`] for a load not greater than 0; [`Error::LoadBeyondCapacity`] with the largest load the soil carries;
+    /// [`Error::LoadTooLight`] with the least that a braking wheel with two zones carries; [`Error::LoadNotBalanced`] with the
+    /// best found, where that misses the load by more than a millionth of it; what [`Rolling::contact`] and
+    /// [`ForceModel::forces`] refuse.
     pub fn solve_sinkage(&self, rolling: &Rolling<'_>, load: f64) -> Result<CarriedLoad, Error> {
         WheelOnSoil::NORMAL_LOAD.check(load).map_err(Error::Invalid)?;
         let curve = rolling.curve()?;
@@ -98,7 +100,7 @@ struct Balance<'a> {
     power: f64,
     /// The load to that power.
     level: f64,
-    /// Sinkages (m) between which there is a contact; the search counts from the first.
+    /// Sinkages (m) between which there is a contact; the search counts from the smaller.
     least: f64,
     most: f64,
     iterations: u32,
@@ -107,7 +109,7 @@ struct Balance<'a> {
 }
 
 impl Balance<'_> {
-    /// The sinkage (m) by what it is beyond the least; the last bit of the sum may not lead out of the range.
+    /// The sinkage (m) at this distance from the least one, kept in range against rounding.
     fn sinkage(&self, beyond: f64) -> f64 {
         (self.least + beyond).min(self.most)
     }
@@ -120,8 +122,8 @@ impl Balance<'_> {
         Ok(forces)
     }
 
-    /// The normal force on a scale on which it is about proportional to the sinkage, minus the load on the same scale; 0
-    /// where they differ by no more than their own accuracy, unless that is more than may be missed.
+    /// Normal force minus load, both on the scale on which the force is about proportional to the sinkage. It is 0 where they
+    /// differ by no more than rounding, unless that exceeds the allowed error.
     fn imbalance(&mut self, beyond: f64) -> Result<f64, Error> {
         let forces = self.forces(beyond)?;
         if (forces.normal - self.load).abs() <= (TOLERANCE * forces.normal_scale()).min(LARGEST_MISS * self.load) {
@@ -143,7 +145,7 @@ impl Balance<'_> {
         for _ in 0..BRACKET_STEPS {
             let shortest = (1.0 + stride).min(LONGEST_STRIDE);
             stride *= 2.0;
-            // Where a straight line through the origin says the load is, and a little beyond.
+            // The balance by a straight line through the origin, and a little beyond.
             let ratio = self.level / (here.y + self.level);
             let next = if here.y < 0.0 {
                 if here.x >= span {
@@ -178,8 +180,8 @@ impl Balance<'_> {
         if estimate.is_finite() { estimate.max(f64::MIN_POSITIVE) } else { wheel.radius() }
     }
 
-    /// Where F_z(r) is below the load, F_z may still have reached it at a smaller sinkage, if it does not grow throughout (a
-    /// braking wheel): the bracket of that, or the largest load.
+    /// F_z(r) is below the load, but under a braking wheel F_z need not grow throughout and may reach the load at a smaller
+    /// sinkage: that bracket, or the largest load.
     fn carried_before_the_axle(&mut self) -> Result<(Sample, Sample), Error> {
         let span = self.most - self.least;
         let stride = span / f64::from(CAPACITY_SAMPLES);
@@ -209,7 +211,7 @@ impl Balance<'_> {
         Err(Error::LoadBeyondCapacity { load: self.load, largest, sinkage: self.sinkage(deepest) })
     }
 
-    /// The largest normal force within a stride of the largest sample, by golden section; the search ends where the load is
+    /// The largest normal force within a stride of the largest sample, by golden section. The search ends early where the load is
     /// reached.
     fn summit(&mut self, highest: Sample, stride: f64, span: f64) -> Result<Sample, Error> {
         const GOLDEN: f64 = 0.618_033_988_749_894_8;

@@ -1,7 +1,7 @@
 //! The works that the model is made from, numbered: source 2 in the docs of this crate is the second of [`SOURCES`].
 //!
-//! Of some the text says that they were quoted or read in part. Where it says nothing, either the work was read or its formula was
-//! read in a public implementation; the file that uses it says which.
+//! The text says so where a work was only quoted or read in part. Otherwise the work itself was read, or its formula in a public
+//! implementation; the file that uses it says which.
 
 use std::fmt;
 

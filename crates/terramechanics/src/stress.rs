@@ -4,6 +4,8 @@
 //! |---|---|
 //! | (1) σ = K_s z^N | [`StressField::normal`] |
 //! | (5) τ = E (c + σ tan φ) | [`StressField::shear`] |
+//!
+//! Units: σ, τ and c in Pa, φ in rad, K_s in Pa/m^N. The laws behind K_s and E have validity ranges of their own.
 
 use crate::contact::Angles;
 use crate::error::Error;
@@ -63,7 +65,7 @@ impl StressField<'_> {
         self.under(&self.patch.rim_point(entry - theta), self.patch.depth(theta))
     }
 
-    /// Stresses at a place of the rim if the depth that presses there were `depth` (m). Eqs. (1), (5).
+    /// Stresses at a rim point if the depth that sets its normal stress were `depth` (m). Eqs. (1), (5).
     #[inline]
     pub(crate) fn under(&self, point: &RimPoint, depth: f64) -> Stresses {
         let normal = self.curve.pressure(depth);

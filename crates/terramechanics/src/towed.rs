@@ -1,14 +1,16 @@
 //! How much does a free-rolling wheel skid, and what does it take to tow it? (Wong & Reece 1967, part II)
 //!
-//! Nothing turns the wheel but the soil: T = 0. At the skid s and the sinkage z that meet F_z = W and T = 0, the towing
-//! resistance is −F_x. The paper has this with the two zones of [`crate::Braking::TwoZone`], whose shear then balances; the
-//! same two conditions on one zone are the letter's model of a towed wheel. Which law holds is the contact's to say.
+//! Only the soil turns the wheel, so T = 0. Skid s and sinkage z follow from F_z = W and T = 0; the towing resistance is then
+//! −F_x. The paper does this with the two zones of [`crate::Braking::TwoZone`], whose shear then balances. With one zone the
+//! same two conditions give the letter's model of a towed wheel. The contact of the system chooses between them.
 //!
-//! A rolling wheel (s = 0) takes a torque, T > 0; with skid the torque falls. Where it passes 0 the wheel keeps its skid: with
-//! less skid the missing torque slows it, with more the soil speeds it up. The skid is sought on a ladder from far less than
-//! the contact's geometry calls for, then by Brent's method, each trial solving the load balance. So the least skid without
-//! torque is found, unless two lie between neighbouring rungs. Where a trial has no contact or carries no such load, the skids
-//! between it and its neighbour are tried by halving.
+//! A wheel at s = 0 needs a torque, T > 0, and the torque falls with skid. Where it crosses 0 the skid is stable: with less
+//! skid the missing torque slows the wheel, with more skid the soil speeds it up.
+//!
+//! The search steps up a ladder of skids, which starts far below what the geometry of the contact calls for, and then uses
+//! Brent's method; each trial solves the load balance. It finds the least skid without torque, unless two such skids lie
+//! between neighbouring rungs. Where a trial has no contact or carries no such load, halving closes in on the last skid that
+//! has a solution.
 
 use crate::contact::Angles;
 use crate::error::Error;
@@ -17,25 +19,26 @@ use crate::numerics::brent::{Sample, bracketed_root};
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
 
-/// Relative tolerance of the skid: what the load balance within leaves of the torque.
+/// Relative tolerance of the skid: finer than this the error of the load balance hides the torque.
 const TOLERANCE: f64 = 1e-12;
 
-/// Torque, relative to the larger of those at the ends of the bracket, beyond which it counts as not zero: E may jump there.
+/// Largest torque that counts as zero, relative to the larger one at the ends of the bracket: where E jumps, the torque changes
+/// sign without a zero.
 const LARGEST_RESIDUAL: f64 = 1e-6;
 
-/// Least skid of the ladder over θ1²: a hundredth of the θ1²/6 or so at which E first changes sign.
+/// First skid of the ladder over θ1². E first changes sign at a skid of about θ1²/6, and this is below a hundredth of it.
 const FIRST: f64 = 1e-3;
 
 /// Factor from one rung of the ladder to the next.
 const RUNG: f64 = 4.0;
 
-/// Skid with which the ladder begins at the least: 50 rungs below 1.
+/// Lowest start of the ladder: 50 rungs below 1.
 const LEAST: f64 = 1e-30;
 
-/// Halvings with which the end of the solvable skids is approached.
+/// Halvings that close in on the last skid with a solution.
 const HALVINGS: u32 = 40;
 
-/// What holds of a wheel that is towed and rolls freely.
+/// A towed wheel that rolls freely under its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Towed {
     /// The slip, below 0.
@@ -44,7 +47,7 @@ pub struct Towed {
     pub sinkage: f64,
     /// Characteristic angles.
     pub angles: Angles,
-    /// The forces; the normal one carries the load, the torque is 0 as far as the skid can be told.
+    /// The forces: the normal force carries the load, and the torque is 0 to the accuracy of the skid.
     pub forces: Forces,
     /// Load balances that were solved.
     pub balances: u32,
@@ -86,7 +89,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The loaded wheel at a skid, whatever its torque.
+    /// The loaded wheel at this skid, with whatever torque it then has.
     fn at(&mut self, skid: f64) -> Result<Towed, Error> {
         self.balances += 1;
         let rolling = self.system.rolling(Slip::new(-skid)?)?;
@@ -99,7 +102,7 @@ impl Search<'_> {
         Error::NotFreeRolling { load: self.load, slip: nearest.slip.ratio(), torque: nearest.forces.torque }
     }
 
-    /// Two skids, the first with a torque above 0 and the second with one that is not.
+    /// Two skids: at the first the torque is above 0, at the second below.
     fn bracket(&mut self) -> Result<(Towed, Towed), Error> {
         let rolling = self.at(0.0);
         if let Err(error @ Error::Invalid(_)) = rolling {
@@ -130,7 +133,7 @@ impl Search<'_> {
         }
     }
 
-    /// A bracket between a skid with a torque of one sign and one at which there is no answer.
+    /// A bracket between a skid whose torque has one sign and a skid that has no solution.
     fn bracket_beside(&mut self, mut known: Towed, mut none: f64) -> Result<(Towed, Towed), Error> {
         for _ in 0..HALVINGS {
             let middle = 0.5 * (none - known.slip.ratio());

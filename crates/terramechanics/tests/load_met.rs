@@ -49,7 +49,7 @@ fn methods() -> impl Strategy<Value = Method> {
 }
 
 proptest! {
-    // Of the answers that a balance to the scale of the parts alone gives, one in a hundred misses its load.
+    // A balance that is judged by the scale of the parts alone misses the load in one answer of a hundred.
     #![proptest_config(ProptestConfig::with_cases(2000))]
     #[test]
     fn a_load_that_is_answered_is_met(system in systems(), method in methods(), ratio in -1.0..=1.0f64, load in decades(-9.0..12.0)) {

@@ -27,10 +27,10 @@ pub(crate) struct CompareReply {
     warnings: Vec<Warning>,
 }
 
-/// What one method gives.
+/// The result of one method.
 #[derive(Debug, Serialize, ToSchema)]
 struct Series {
-    /// Name of the variant; null of the request as it stands.
+    /// Name of the variant; null for the request as it stands.
     variant: Option<String>,
     method: &'static str,
     columns: PointColumns,

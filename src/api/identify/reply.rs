@@ -17,7 +17,7 @@ use crate::request::system::ContactObject;
 use crate::request::unknowns::name_of;
 use crate::warning::Warning;
 
-/// What measurements tell of the parameters, and what they do not.
+/// What measurements say about the parameters, and what they leave open.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Identification)]
 pub(crate) struct IdentifyReply {
@@ -37,7 +37,7 @@ pub(crate) struct IdentifyReply {
     evaluations: u64,
     /// One per parameter, in the order of `fit`.
     estimates: Vec<EstimateReply>,
-    /// Correlation of the estimates, in their order; null with one that has no standard error.
+    /// Correlation of the estimates, in their order; null for an estimate without a standard error.
     correlation: Vec<Vec<Option<f64>>>,
     /// Condition number of the derivatives, each scaled to length one; null where a direction is dead.
     condition_number: Option<f64>,

@@ -43,7 +43,7 @@ type ProfileColumns = Columns<AlongRim>;
 
 static COLUMNS: [About; 6] = [
     About::new("theta_rad", "θ", "rad", "place on the rim, ascending"),
-    About::new("sinkage_m", "z(θ)", "m", "depth that presses there"),
+    About::new("sinkage_m", "z(θ)", "m", "depth that sets the normal stress there"),
     About::new("normal_stress_pa", "σ", "Pa", "normal stress"),
     About::new("shear_stress_pa", "τ", "Pa", "shear stress"),
     About::new("normal_stress_linear_pa", "σ", "Pa", "linearised normal stress; null where a braking wheel has two zones"),

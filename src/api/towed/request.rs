@@ -28,7 +28,7 @@ pub(super) type TowedRequest = Documented<TowedCase>;
 impl Request for TowedCase {
     const OBJECT: &'static Object = &Object {
         name: "TowedRequest",
-        doc: "A wheel that is towed and rolls freely under a load. Of the contact, two zones use c3 alone: their peak is where they part.",
+        doc: "A wheel that is towed and rolls freely under a load. With two zones only c3 of the contact is used, because the stresses peak where the zones meet.",
         groups: &[SYSTEM, &[&NORMAL_LOAD, &BRAKING]],
     };
 

@@ -32,11 +32,11 @@ pub(crate) struct EventReply {
     /// `stall`: the slip stayed high; `entrapment`: the wheel sank deep.
     #[schema(example = "stall")]
     pub(crate) code: &'static str,
-    /// Index of the sample, from 0, at which it began.
+    /// Index of the first sample, from 0.
     pub(crate) row: u64,
     /// Its time (s).
     pub(crate) from_s: f64,
-    /// Time of the last sample at which it held (s).
+    /// Time of its last sample (s).
     pub(crate) to_s: f64,
 }
 

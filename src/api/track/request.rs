@@ -30,7 +30,7 @@ const COLUMNS_FIELD: Field<&Object> = Field::required("columns", "The samples.",
 
 const FORGETTING: Field<Number> = Field::new(
     "forgetting_factor",
-    "Weight (–) that a sample keeps as the next one comes; 1 forgets none.",
+    "Forgetting factor (–): share of its weight that a sample keeps with each new one; 1 forgets nothing.",
     Number::new("1", 0.5, 1.0).or(0.99),
 );
 const STRENGTH_OBJECT: Object = Object {
@@ -44,13 +44,13 @@ const STRENGTH: Field<OneOf> = Field::new(
     OneOf::new("an object or true", &[Alternative::Asked(&STRENGTH_OBJECT, "The running estimate.")]),
 );
 
-const STALL_SLIP: Field<Number> = field_or_default(&Thresholds::STALL_SLIP, "Slip (–) from which on the wheel may stall.");
+const STALL_SLIP: Field<Number> = field_or_default(&Thresholds::STALL_SLIP, "Slip (–) at or above which the wheel may stall.");
 const STALL_TIME: Field<Number> = field_or_default(&Thresholds::STALL_TIME, "Time (s) for which the slip has to stay there.");
 const ENTRAPMENT: Field<Number> =
-    field_or_default(&Thresholds::ENTRAPMENT_SINKAGE_RATIO, "Share of the radius (–) beyond which the sinkage is an entrapment.");
+    field_or_default(&Thresholds::ENTRAPMENT_SINKAGE_RATIO, "Sinkage over radius (–) above which the wheel counts as entrapped.");
 const THRESHOLDS_OBJECT: Object = Object {
     name: "TrackThresholds",
-    doc: "When the wheel counts as stuck. The defaults are chosen for want of a published rule.",
+    doc: "When the wheel counts as stuck. No published rule is known, so the defaults are a choice.",
     groups: &[&[&STALL_SLIP, &STALL_TIME, &ENTRAPMENT]],
 };
 const THRESHOLDS: Field<&Object> = Field::new("thresholds", "When the wheel counts as stuck.", &THRESHOLDS_OBJECT);

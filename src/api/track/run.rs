@@ -42,7 +42,7 @@ struct Started {
     tracker: Tracker,
     strength: Option<RunningStrength>,
     sink: Sink,
-    /// Rows between two looks at the clock, which would take a good part of the time of a light one.
+    /// Rows between two readings of the clock, which takes a good part of the time of a cheap row.
     rows_per_look: usize,
 }
 
@@ -53,7 +53,7 @@ enum Sink {
 }
 
 impl Run {
-    /// Over a body in the form `body`, which is one of the streamed ones.
+    /// A run over a streamed body in the form `body`.
     pub(crate) fn over_stream(settings: TrackSettings, body: SeriesForm, form: SeriesForm) -> Self {
         let extra = settings.extra_columns;
         let reader = if body == SeriesForm::Csv { Reader::csv(extra) } else { Reader::ndjson(extra) };

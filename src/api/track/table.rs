@@ -12,7 +12,7 @@ use crate::warning::Warning;
 /// A format that is written row by row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum RowFormat {
-    /// A header, a row per sample; at the end comments after `#`, of which the last is `#end,<rows>`.
+    /// A header, a row per sample, and comments after `#` at the end; the last comment is `#end,<rows>`.
     Csv,
     /// An object per sample; at the end an object with `end`.
     Ndjson,
@@ -44,7 +44,7 @@ impl Table {
         }
     }
 
-    /// What stands behind the last row of a whole answer.
+    /// The lines after the last row of a whole answer.
     pub(crate) fn end(&self, FoundTrack { rows, events, warnings }: &FoundTrack, out: &mut Vec<u8>) {
         let events: Vec<EventReply> = events.iter().map(EventReply::from).collect();
         match self.format {
@@ -64,7 +64,7 @@ impl Table {
         }
     }
 
-    /// What stands behind the last row where the run ended before its time.
+    /// The line after the last row where the run ended too early.
     pub(crate) fn broken(&self, problem: &str, out: &mut Vec<u8>) {
         match self.format {
             RowFormat::Csv => comment(&["error", problem], out),

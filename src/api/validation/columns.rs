@@ -73,8 +73,8 @@ impl Serialize for PredictedColumns {
 
 impl PartialSchema for PredictedColumns {
     fn schema() -> RefOr<Schema> {
-        const DOC: &str = "By method, and by what departs from the defaults of a request: the sinkage is solved for the load. Sets at a \
-                           slip angle have no closed forms, sets of braking wheels two laws of braking.";
+        const DOC: &str = "By method, and by the options that differ from the defaults of a request; the sinkage is solved for the load. \
+                           Sets at a slip angle have no closed forms; sets of braking wheels have both laws of braking.";
         let runs = all_runs().into_iter();
         let object = runs.fold(ObjectBuilder::new().description(Some(DOC)), |object, run| {
             object.property(run.series, Ref::from_schema_name(ForceColumns::name()))

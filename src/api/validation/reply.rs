@@ -49,14 +49,14 @@ pub(crate) struct ValidationSet {
     fitted_to: Option<&'static str>,
     /// Number of points.
     points: usize,
-    /// The errors by method, and by what departs from the defaults of a request.
+    /// The errors by method, and by the options that differ from the defaults of a request.
     results: Vec<ValidationResult>,
     columns: ValidationColumns,
     warnings: Vec<Warning>,
 }
 
 /// How far one prediction is from the measurements: roots of the mean squares over the points that were measured and have a
-/// solution; null where there are none. Of two predictions that solve different points, the columns tell which.
+/// solution; null where there are none. Two predictions may solve different points; the columns show which.
 #[derive(Debug, Serialize, ToSchema)]
 struct ValidationResult {
     /// Name of its columns under `columns.predicted`.

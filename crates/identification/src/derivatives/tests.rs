@@ -8,7 +8,7 @@ use terramechanics::{
     SoilParams, Wheel, WheelParams, WongReece,
 };
 
-/// Of derivatives that differ by the truncation of the coarser ones, a step of 1e-4.
+/// Tolerance for derivatives: the truncation error of the coarser ones, with a step of 1e-4.
 const AGREED: f64 = 1e-6;
 
 fn setup(method: Method) -> Setup {

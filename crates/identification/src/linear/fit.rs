@@ -1,4 +1,5 @@
-//! The line through measured samples with an account of what they do not tell, in the terms of every other fit.
+//! The linear estimate of the strength from measured samples, reported like every other fit: errors, and what the samples leave
+//! open.
 
 use terramechanics::{Coupled, Error, ForceModel, Method, Sinkage, Soil, SoilParams};
 
@@ -18,22 +19,22 @@ use crate::unknown::Unknown;
 /// The unknowns of the line, in the order of its estimates.
 const SOUGHT: [Unknown; 2] = [Unknown::Cohesion, Unknown::FrictionAngle];
 
-/// Share of the sums of the normal equations up to which they hold: rounding of ten thousand samples.
+/// Residual of the normal equations, relative to their sums, that counts as zero: rounding over ten thousand samples.
 const SOLVED: f64 = 1e-8;
 
-/// Steps to the strength behind an estimate, and the share of the difference in cohesion that a step takes: linear stresses take
-/// a cohesion for up to twice of what it is, so that half of it converges.
+/// Steps of the search for the true strength behind an estimate, and the share of the difference in cohesion that a step takes.
+/// Linear stresses overstate a cohesion by up to a factor of two, so half steps converge.
 const BIAS_STEPS: usize = 6;
 const BIAS_STEP: f64 = 0.55;
 
 /// The result of a line through samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinearFit {
-    /// Cohesion and friction angle; their errors are those of noise in the samples, not of the model.
+    /// Cohesion and friction angle. Their errors cover noise in the samples, not errors of the model.
     pub estimates: [Estimate; 2],
     /// The line itself.
     pub line: StrengthEstimate,
-    /// Whether the normal equations hold, or at a bound ask for what lies beyond.
+    /// Whether the normal equations hold or, at a bound, call for a value beyond it.
     pub converged: bool,
     /// Correlation of the two; none without an error.
     pub correlation: Option<f64>,
@@ -48,17 +49,18 @@ pub struct LinearFit {
     samples: Vec<RollingSample>,
 }
 
-/// Cohesion and friction from slip, sinkage, normal force and torque, all measured; none where the normal stress is the same in
-/// all samples. Of `setup`, the wheel, the contact, the shear law and the radius of the normal stress are used.
+/// Cohesion and friction from measured slip, sinkage, normal force and torque; none where the normal stress is the same in all
+/// samples. It uses the wheel, the contact, the shear law and the radius of the normal stress of `setup`.
 ///
 /// # Errors
-/// [`FitError::Missing`] and [`FitError::Value`] for columns that do not serve, [`FitError::Refused`] for a sample that the
+/// [`FitError::Missing`] and [`FitError::Value`] for columns that cannot be used, [`FitError::Refused`] for a sample that the
 /// linear stresses do not describe.
 pub fn fit_line(setup: &Setup, observations: &Observations) -> Result<Option<LinearFit>, FitError> {
     fit_line_while(setup, observations, &|| true)
 }
 
-/// The same, as long as the caller wants to go on; it is asked before every sample, which takes some microseconds.
+/// Like [`fit_line`], as long as the caller wants to go on. The caller is asked before every sample, which takes some
+/// microseconds.
 ///
 /// # Errors
 /// [`FitError::Stopped`] at the first no, and those of [`fit_line`].
@@ -98,7 +100,7 @@ fn found(setup: &Setup, observations: &Observations, consent: &Consent<'_>) -> R
         }
         predicted.push(Prediction { sinkage: sample.sinkage, longitudinal, normal: sample.load, torque });
     }
-    // The shear modulus is taken as known, so that one slip leaves its error undetected just as it leaves it unknown.
+    // The shear modulus is taken as known. Samples of one slip could not find it, and they cannot reveal that it is wrong either.
     let unknowns = [Unknown::ShearModulus, Unknown::Cohesion, Unknown::FrictionAngle];
     let gaps: Vec<_> =
         design::gaps(observations, &[Quantity::Torque], &unknowns, &predicted).into_iter().map(|(gap, _)| gap).collect();
@@ -118,27 +120,29 @@ fn found(setup: &Setup, observations: &Observations, consent: &Consent<'_>) -> R
 }
 
 impl LinearFit {
-    /// Whether the data determine both, if need be up to a bound.
+    /// Whether the data determine both; one at a bound counts.
     #[must_use]
     pub fn is_identifiable(&self) -> bool {
         self.estimates.iter().all(|estimate| estimate.identifiability.is_determined())
     }
 
-    /// Samples there are.
+    /// Number of samples.
     #[must_use]
     pub fn samples(&self) -> usize {
         self.samples.len()
     }
 
-    /// How far linear stresses mislead the estimates of cohesion (Pa) and friction angle (rad), where the pressure–sinkage law of
-    /// the setup holds: the estimates minus the strength with which the quadrature, at the measured slips and sinkages, predicts
-    /// loads and torques that lead the line to these very estimates. None where the model has no answer for a sample.
+    /// Bias of cohesion (Pa) and friction angle (rad) from the assumption of linear stresses, for the pressure–sinkage law of
+    /// the setup. It is the estimate minus the true strength behind it: the strength for which the quadrature, at the measured
+    /// slips and sinkages, predicts loads and torques whose line gives this estimate. None where the model has no answer for a
+    /// sample.
     #[must_use]
     pub fn model_bias(&self) -> Option<[f64; 2]> {
         self.model_bias_while(&|| true).ok().flatten()
     }
 
-    /// The same, as long as the caller wants to go on; it is asked before every sample, of which there is an integral.
+    /// Like [`LinearFit::model_bias`], as long as the caller wants to go on. The caller is asked before every sample, each of
+    /// which takes an integral.
     ///
     /// # Errors
     /// [`FitError::Stopped`] at the first no.
@@ -159,7 +163,7 @@ impl LinearFit {
         Some([cohesion - truth.cohesion, friction_angle - truth.friction_angle])
     }
 
-    /// The line through what the quadrature predicts on another soil.
+    /// The line through the samples that the quadrature predicts on another soil.
     fn line_on(&self, soil: SoilParams, consent: &Consent<'_>) -> Option<StrengthEstimate> {
         let radius = self.setup.model.normal_stress_radius;
         let model = ForceModel { method: Method::Quadrature, normal_stress_radius: radius };
@@ -195,7 +199,7 @@ fn samples(observations: &Observations) -> Result<Vec<RollingSample>, FitError> 
     Ok(slips.zip(columns).map(|(&slip, ((&sinkage, &load), &torque))| RollingSample { slip, sinkage, load, torque }).collect())
 }
 
-/// Whether Σe = 0 and Σe σm = 0 of the residuals e; on a bound the sum may ask for what lies beyond it.
+/// Whether the residuals e have Σe = 0 and Σe σm = 0; at a bound the sum may call for a value beyond it.
 fn is_solved(line: &StrengthEstimate, points: &[StressPoint]) -> bool {
     let StrengthEstimate { cohesion, tan_friction, bound, .. } = *line;
     let [mut height, mut slope, mut heights, mut slopes] = [0.0; 4];

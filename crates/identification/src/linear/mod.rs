@@ -15,10 +15,11 @@
 //! The paper's κ1 tan φ − κ3 c = −κ2 for a smooth wheel with the peak at the middle of the contact is the same line:
 //! κ2/κ3 = τm/E and −κ1/κ3 = σm, derived by putting the closed forms of A, B and H into the two stresses, and tested.
 //!
-//! Departures: shear acts at r_s, so that lugs count as they do in the model; the peak and the exit may lie anywhere, by the
-//! rule of the contact. What is not told by the covariance: the stresses of a wheel are not linear, which biases both
-//! estimates however many samples there are (see [`LinearFit::model_bias`]); and σm contains the torque too, so that noise in it
-//! biases the slope towards zero.
+//! Departures: shear acts at r_s, so lugs count as they do in the model; the rule of the contact places the peak and the exit.
+//!
+//! Validity: the covariance does not cover two biases. The stresses of a wheel are not linear, which shifts both estimates
+//! however many samples there are (see [`LinearFit::model_bias`]). And σm contains the torque, so noise in the torque biases
+//! the slope towards zero.
 
 mod fit;
 mod running;
@@ -28,7 +29,7 @@ use terramechanics::{Coupled, Error, NormalStressRadius, Slip, WheelOnSoil};
 pub use fit::{LinearFit, fit_line, fit_line_while};
 pub use running::{RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, linear_strength};
 
-/// Least |E| of a sample that is used: below, the torque hardly shows the strength.
+/// Least |E| of a sample that is used: below it the torque says little about the strength.
 const LEAST_MOBILISATION: f64 = 0.05;
 
 /// One sample of a rolling wheel.
@@ -36,7 +37,7 @@ const LEAST_MOBILISATION: f64 = 0.05;
 pub struct RollingSample {
     /// Slip s (–).
     pub slip: Slip,
-    /// Sinkage z (m), measured: one that was modelled would bring in the very soil that is sought.
+    /// Measured sinkage z (m). A modelled one would presuppose the soil that is sought.
     pub sinkage: f64,
     /// Vertical load W (N), greater than 0.
     pub load: f64,
@@ -56,8 +57,9 @@ pub struct StressPoint {
 }
 
 impl StressPoint {
-    /// The point of a sample; none where the wheel mobilises too little of the strength, as a braking one with two zones, which
-    /// part at the peak. Cohesion and friction of the soil have no influence, nor has its pressure–sinkage law.
+    /// The point of a sample; none where the wheel mobilises too little of the strength. That includes a braking wheel with two
+    /// zones, whose shear stress is zero at the peak. Cohesion, friction and pressure–sinkage law of the soil have no
+    /// influence.
     ///
     /// # Errors
     /// Those of [`WheelOnSoil::rolling`], of the contact at the sinkage, and of [`Coupled::forces`] with a torque.

@@ -1,11 +1,11 @@
-//! A line through the stress points that forgets: recursive least squares in constant memory, with the covariance that holds
+//! A running estimate of the strength that forgets old samples: recursive least squares in constant memory, with the covariance
 //! for weighted samples.
 //!
 //! Sample i of n has the weight w_i = λ^(n−i); X has a row (1, σm) and y a value τm/E per sample, W = diag(w). Derived here:
 //!
 //! * estimate β = (XᵀWX)⁻¹XᵀWy;
-//! * covariance under independent noise of one variance s²: s² (XᵀWX)⁻¹ XᵀW²X (XᵀWX)⁻¹. The weights say what is forgotten, not
-//!   how exact a sample is, so that they do not cancel;
+//! * covariance under independent noise of one variance s²: s² (XᵀWX)⁻¹ XᵀW²X (XᵀWX)⁻¹. The weights express age,
+//!   not accuracy, so they do not cancel;
 //! * e = y − Xβ has eᵀWe = yᵀGy with G = W − WX(XᵀWX)⁻¹XᵀW, whose expectation is s² tr G, where
 //!   tr G = Σw − tr[(XᵀWX)⁻¹XᵀW²X]. So s² = eᵀWe/tr G.
 //!
@@ -21,20 +21,20 @@ use super::{RollingSample, StressPoint};
 use crate::design::{LOAD_SPREAD, SLIP_SPREAD};
 use crate::range;
 
-/// Relative spread of the normal stresses below which the line has no slope: rounding of the stresses.
+/// Relative spread of the normal stresses below which the slope is undefined: the stresses differ by rounding alone.
 const LEAST_SPREAD: f64 = 1e-6;
 
-/// tr G up to which no freedom is left: its rounding. Three samples leave λ² at least.
+/// tr G below this is rounding, and no degree of freedom is left. Three samples give at least λ².
 const LEAST_FREEDOM: f64 = 1e-6;
 
-/// Strength of a soil with its covariance: that of noise in the samples, not of the model.
+/// Strength of a soil with its covariance, which covers noise in the samples, not errors of the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrengthEstimate {
     /// Cohesion c (Pa).
     pub cohesion: f64,
     /// tan φ (–).
     pub tan_friction: f64,
-    /// Variance of c (Pa²) without the bound; infinite where no freedom is left, as the other two.
+    /// Variance of c (Pa²) without the bound. Like the other two it is infinite where no degree of freedom is left.
     pub cohesion_variance: f64,
     /// Variance of tan φ (–) without the bound.
     pub tan_friction_variance: f64,
@@ -45,11 +45,11 @@ pub struct StrengthEstimate {
     pub freedom: f64,
     /// Condition number of the line, with both columns of length one.
     pub condition_number: f64,
-    /// Whether the bound c ≥ 0 or φ ≥ 0 holds it; then the other is the best there.
+    /// The bound c ≥ 0 or φ ≥ 0 that is active, if one is; the other parameter is then the best at that bound.
     pub bound: Option<StrengthBound>,
 }
 
-/// A bound that an unbounded line would cross.
+/// A bound that the unbounded estimate would cross.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StrengthBound {
     /// c = 0.
@@ -66,8 +66,8 @@ struct Moments {
 }
 
 impl Moments {
-    /// Takes a value of weight 1, the others keeping a share `kept` of theirs, to `weight` in all; how far the value lies from
-    /// the mean before and after.
+    /// Adds a value of weight 1. The others keep a share `kept` of their weights, and the total becomes `weight`. Returns how
+    /// far the value lies from the mean before and after.
     fn take(&mut self, value: f64, kept: f64, weight: f64) -> (f64, f64) {
         let before = value - self.mean;
         self.mean += before / weight;
@@ -77,14 +77,14 @@ impl Moments {
     }
 }
 
-/// What a run over samples leaves open, counted over the rows that have an estimate.
+/// What the samples of a run leave open, counted over the rows that have an estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct StrengthTally {
     /// Rows with an estimate.
     pub estimates: u64,
-    /// Rows whose samples, as far as they are remembered, have one load.
+    /// Rows whose remembered samples have one load.
     pub one_load: u64,
-    /// Rows whose samples, as far as they are remembered, have one slip.
+    /// Rows whose remembered samples have one slip.
     pub one_slip: u64,
     /// Rows with the cohesion held at 0.
     pub no_cohesion: u64,
@@ -92,8 +92,8 @@ pub struct StrengthTally {
     pub no_friction: u64,
 }
 
-/// The strength as samples come, in constant memory: the information form of recursive least squares, which needs no first
-/// guess of estimate and covariance.
+/// The strength, updated with every sample in constant memory. It uses the information form of recursive least squares, which
+/// needs no first guess of estimate and covariance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunningStrength {
     system: WheelOnSoil,
@@ -106,7 +106,7 @@ pub struct RunningStrength {
     strength: Moments,
     /// Σw of both, centred.
     product: f64,
-    /// Of the normal stress, with the weights squared.
+    /// Mean and centred sum of squares of the normal stress under the squared weights.
     squared_normal: Moments,
     load: Moments,
     slip: Moments,
@@ -135,7 +135,7 @@ impl RunningStrength {
         })
     }
 
-    /// Takes a sample; whether it was used. One that is refused leaves the estimate as it was.
+    /// Adds a sample and returns whether it was used. A refused sample leaves the estimate unchanged.
     ///
     /// # Errors
     /// Those of [`StressPoint::of`], and [`Error::NotFinite`] for stresses whose squares could not be summed.
@@ -156,11 +156,11 @@ impl RunningStrength {
         Ok(true)
     }
 
-    /// The estimate after a sample of a track and its row. One without a result, at rest, or without a measured torque, load and
-    /// sinkage leaves it as it was, as does one that mobilises too little.
+    /// The estimate after a sample of a track and its row. It is unchanged by a sample without a result, at rest, without a
+    /// measured torque, load and sinkage, or that mobilises too little.
     pub fn follow(&mut self, sample: &Sample, row: &TrackRow) -> Option<StrengthEstimate> {
         if let Some(sample) = rolling_sample(sample, row) {
-            // The row has a result, so that the only refusal left is that of a number that overflows.
+            // The row has a result, so the only refusal left is an overflow.
             let _ = self.take(&sample);
         }
         let estimate = self.estimate()?;
@@ -174,7 +174,7 @@ impl RunningStrength {
         Some(estimate)
     }
 
-    /// What the samples that were followed leave open.
+    /// What the samples so far leave open.
     #[must_use]
     pub fn tally(&self) -> &StrengthTally {
         &self.tally
@@ -184,13 +184,12 @@ impl RunningStrength {
         (self.load.squares / self.weight).sqrt() < LOAD_SPREAD * self.load.mean
     }
 
-    /// Slips within a range have a standard deviation of half of it at most.
+    /// The standard deviation of slips within a range is at most half of the range.
     fn has_one_slip(&self) -> bool {
         (self.slip.squares / self.weight).sqrt() < 0.5 * SLIP_SPREAD
     }
 
-    /// The estimate; none as long as fewer than two different normal stresses were seen, or where these are too close to 0 for
-    /// their squares.
+    /// The estimate; none until two different normal stresses were seen, or where their squares underflow.
     #[must_use]
     pub fn estimate(&self) -> Option<StrengthEstimate> {
         let Self { weight, squared_weight, product, .. } = *self;
@@ -234,7 +233,8 @@ impl RunningStrength {
         })
     }
 
-    /// The best line with c ≥ 0 and tan φ ≥ 0. Of a convex sum of squares with one bound broken, the best is on that bound.
+    /// The best line with c ≥ 0 and tan φ ≥ 0. The sum of squares is convex, so where one bound is broken the best lies on that
+    /// bound.
     fn strength(&self, about_zero: f64) -> Strength {
         let (mean, squares) = (self.normal.mean, self.normal.squares);
         let tan_friction = self.product / squares;
@@ -257,7 +257,7 @@ struct Strength {
     bound: Option<StrengthBound>,
 }
 
-/// What a sample of a track shows of the strength: only a moving wheel does, and only what was measured counts.
+/// The rolling sample in a sample of a track; none unless the wheel moves and sinkage, load and torque were measured.
 fn rolling_sample(sample: &Sample, row: &TrackRow) -> Option<RollingSample> {
     let (Status::Ok, Some(measured), Sinkage::Given(sinkage)) = (row.status, sample.measured, sample.sinkage) else {
         return None;
@@ -270,7 +270,7 @@ fn rolling_sample(sample: &Sample, row: &TrackRow) -> Option<RollingSample> {
     Some(RollingSample { slip: Slip::new(row.slip).ok()?, sinkage, load: measured.normal_load, torque })
 }
 
-/// The strength from samples that all count alike, and how many could be used.
+/// The strength from equally weighted samples, and how many of them could be used.
 ///
 /// # Errors
 /// The row at fault, with a refusal of [`StressPoint::of`].

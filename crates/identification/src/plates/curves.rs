@@ -1,14 +1,14 @@
-//! One exponent for all curves and a modulus for each: Wong's weighted fit, and the least squares of p from there.
+//! One exponent for all curves and a modulus for each: Wong's weighted fit, then the least squares of p.
 
 use nalgebra::DMatrix;
 
 use super::PlateCurve;
 use crate::consent::{Consent, Stopped};
 
-/// Steps towards the least squares of p; each takes the distance to it at least by half where there is noise of some percent.
+/// Steps towards the least squares of p. With noise of some percent each step at least halves the distance.
 const STEPS: u32 = 60;
 
-/// Change of the exponent below which it is found.
+/// Change of the exponent below which the search has converged.
 const FOUND: f64 = 1e-13;
 
 /// Leverage above which a point has no residual of its own: its curve passes through it whatever it is.
@@ -29,7 +29,7 @@ impl Points {
     fn of(curve: &PlateCurve, largest: f64) -> Self {
         let pressure: Vec<f64> = curve.pressure.iter().map(|p| p / largest).collect();
         let depth: Vec<f64> = curve.sinkage.iter().map(|z| z.ln()).collect();
-        // Where there is no pressure there is no logarithm, and no weight.
+        // A pressure of 0 has no logarithm, and its weight is 0.
         let weighted = || depth.iter().zip(&pressure).filter(|(_, p)| **p > 0.0).map(|(z, p)| (p * p, *z, p.ln()));
         let weight: f64 = weighted().map(|(weight, ..)| weight).sum();
         let mean_depth = weighted().map(|(weight, z, _)| weight * z).sum::<f64>() / weight;
@@ -111,7 +111,7 @@ impl<'a> Curves<'a> {
         points.has_spread().then(|| points.depth_pressure / points.depth_depth).filter(|exponent| exponent.is_finite())
     }
 
-    /// What is said of every curve, as long as the caller wants to go on.
+    /// A value for every curve, as long as the caller wants to go on.
     fn each<T>(&self, of: impl Fn(&Points) -> T) -> impl Iterator<Item = Result<T, Stopped>> {
         self.points.iter().map(move |points| self.consent.ask().map(|()| of(points)))
     }
@@ -120,7 +120,7 @@ impl<'a> Curves<'a> {
         self.each(|points| points.squares(exponent)).sum()
     }
 
-    /// By the least squares of p, by Gauss and Newton's steps, halved where they lead up.
+    /// The least squares of p by Gauss–Newton steps, halved where the sum of squares would grow.
     pub(super) fn refined(mut self) -> Result<Self, Stopped> {
         let mut exponent = self.exponent;
         let mut least = self.squares(exponent)?;
@@ -152,8 +152,8 @@ impl<'a> Curves<'a> {
         self.points.iter().map(modulus).collect()
     }
 
-    /// Covariance of the k_i and n: (JᵀJ)⁻¹ Jᵀ diag(r²/(1 − h)²) J (JᵀJ)⁻¹ with the leverages h (HC3); not finite where JᵀJ has no
-    /// inverse.
+    /// Covariance of the k_i and n: (JᵀJ)⁻¹ Jᵀ diag(r²/(1 − h)²) J (JᵀJ)⁻¹ with the leverages h (HC3); not finite where JᵀJ has
+    /// no inverse.
     pub(super) fn covariance(&self) -> Result<DMatrix<f64>, Stopped> {
         let count = self.points.len();
         let mut normal = DMatrix::zeros(count + 1, count + 1);
@@ -194,7 +194,7 @@ impl<'a> Curves<'a> {
         Ok(&slopes * by_level * slopes.transpose())
     }
 
-    /// What is done with every point, by the number of its curve, as long as the caller wants to go on.
+    /// Visits every point with the number of its curve, as long as the caller wants to go on.
     fn each_row(&self, mut of: impl FnMut(usize, Row)) -> Result<(), Stopped> {
         for (i, points) in self.points.iter().enumerate() {
             self.consent.ask()?;

@@ -1,4 +1,4 @@
-//! The sum of squares of all shear tests, of which only the shear modulus has to be searched.
+//! The sum of squares over all shear tests. Only the shear modulus has to be searched.
 
 use crate::consent::{Consent, POINTS_PER_QUESTION, Stopped};
 use crate::obstacle::Obstacle;
@@ -11,11 +11,12 @@ const SCANNED: u32 = 121;
 /// Steps of the golden section: 0.618^64 of the scan's step is below rounding.
 const SECTIONS: u32 = 64;
 
-/// The same where a sum of squares is wanted and not its place: 0.618^12 of the scan's step is a third of a thousandth of it.
+/// Fewer steps where the value of the minimum is wanted and not its place: 0.618^12 is a third of a thousandth of the scan's
+/// step.
 const FEW_SECTIONS: u32 = 12;
 
-/// Squared sine of the angle between the columns of c and tan φ below which they are one column but for rounding; a hundredth
-/// of the points under a normal stress that differs by a thousandth leave 1e-8.
+/// Squared sine of the angle between the columns of c and tan φ below which they differ by rounding alone. A hundredth of the
+/// points under a normal stress that differs by a thousandth give 1e-8.
 const ONE_COLUMN: f64 = 1e-13;
 
 /// c, tan φ and K.
@@ -31,7 +32,8 @@ pub(super) fn mobilised(displacement: f64, modulus: f64) -> f64 {
     if displacement == 0.0 { 0.0 } else { -(-displacement / modulus).exp_m1() }
 }
 
-/// Its derivative by ln K, −x e^(−x) with x = j/K, which is 0 in the limit of a displacement far beyond the modulus.
+/// The derivative of that share with respect to ln K: −x e^(−x) with x = j/K, which tends to 0 for a displacement far beyond the
+/// modulus.
 pub(super) fn mobilised_by_log_modulus(displacement: f64, modulus: f64) -> f64 {
     let ratio = displacement / modulus;
     if ratio.is_finite() { -ratio * (-ratio).exp() } else { 0.0 }
@@ -65,7 +67,7 @@ pub(super) struct Points<'a> {
     pub(super) consent: &'a Consent<'a>,
 }
 
-/// What is held while the others are fitted.
+/// Which unknown is held while the others are fitted.
 #[derive(Debug, Clone, Copy)]
 enum Held {
     Nothing,
@@ -74,7 +76,7 @@ enum Held {
 }
 
 impl Points<'_> {
-    /// What is done with every point, as long as the caller wants to go on.
+    /// Visits every point, as long as the caller wants to go on.
     pub(super) fn each(&self, mut of: impl FnMut(usize, &Point)) -> Result<(), Stopped> {
         for (block, points) in self.list.chunks(POINTS_PER_QUESTION).enumerate() {
             self.consent.ask()?;
@@ -85,7 +87,7 @@ impl Points<'_> {
         Ok(())
     }
 
-    /// The best c and tan φ at a modulus, both at or above 0, and the sum of squares that they leave.
+    /// The best c and tan φ for this modulus, both at or above 0, and the remaining sum of squares.
     fn at(&self, modulus: f64, held: Held) -> Result<(Law, f64), Stopped> {
         let (mut ee, mut es, mut ss, mut et, mut st) = (0.0, 0.0, 0.0, 0.0, 0.0);
         self.each(|_, &Point { normal, displacement, shear }| {
@@ -123,12 +125,12 @@ impl Points<'_> {
         Ok(if squares.is_finite() { squares } else { f64::INFINITY })
     }
 
-    /// Modulus of the scan: six decades about the farthest displacement.
+    /// A modulus of the scan, which covers six decades around the largest displacement.
     fn scanned(&self, i: u32) -> f64 {
         self.farthest * 10_f64.powf(f64::from(i) / 20.0 - 4.5)
     }
 
-    /// The best modulus: by the scan, then between its neighbours.
+    /// The best modulus: from the scan, then by golden section between the neighbours.
     pub(super) fn best(&self) -> Result<Law, Stopped> {
         Ok(self.least(Held::Nothing, SECTIONS)?.0)
     }
@@ -158,13 +160,13 @@ impl Points<'_> {
     }
 }
 
-/// The best factor of a column at or above 0; 0 where the column is too small to say.
+/// The best factor of a column, at or above 0; 0 where the column is too small to determine it.
 fn ratio(product: f64, square: f64) -> f64 {
     let ratio = product / square;
     if ratio.is_finite() { ratio.max(0.0) } else { 0.0 }
 }
 
-/// The sum of squares about its minimum, over c, tan φ and ln K.
+/// The sum of squares near its minimum, over c, tan φ and ln K.
 pub(super) struct ShearValley<'a> {
     pub(super) points: &'a Points<'a>,
     pub(super) law: &'a Law,

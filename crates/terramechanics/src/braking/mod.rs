@@ -1,7 +1,7 @@
-//! Into how many zones does the soil under a braking wheel part? Which way it is sheared, by one of the published laws.
+//! In which direction is the soil sheared under a braking wheel: in one zone, or in two? One of the published laws.
 //!
-//! A driving wheel knows one zone only: the laws differ at s < 0. They do not join at s = 0, nor do their papers ask for it:
-//! see `two_zone`.
+//! A driving wheel always has one zone, so the laws differ at s < 0 only. They do not meet at s = 0, and their papers do not
+//! ask for that: see `two_zone`.
 
 mod one_zone;
 mod two_zone;

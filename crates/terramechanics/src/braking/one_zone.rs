@@ -1,7 +1,8 @@
-//! How is the soil sheared under a braking wheel, if as under a driving one? By the letter's displacement (Eq. 6), continued to
-//! negative slip.
+//! How is the soil sheared under a braking wheel, if in the same way as under a driving one? By the letter's displacement (Eq.
+//! 6), continued to negative slip: j = r [(θ1 − θ) − κ (sin θ1 − sin θ)].
 //!
-//! Departure: κ = 1/(1 + s) where Eq. (6) prints 1 − s, and E has the sign of j (erratum 11).
+//! Units: j and r in m, angles in rad, κ has none. Validity: −1 ≤ s < 0; the letter gives no range. Departure: κ = 1/(1 + s)
+//! where Eq. (6) prints 1 − s, and E has the sign of j (erratum 11).
 
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised};

@@ -1,7 +1,8 @@
 //! Which way is the soil sheared under a towed or braking wheel? Wong & Reece 1967, part II, source 21.
 //!
-//! At the angle θ0 the soil parts. Ahead of it the soil flows up and forward, and the rim moves back over it: the shear pushes
-//! the wheel on. Behind it the rim is dragged forward over the soil: the shear brakes. σ is largest at θ0.
+//! The flow of the soil separates at the angle θ0. Ahead of θ0 the soil flows up and forward and the rim moves backward over
+//! it, so the shear pushes the wheel forward. Behind θ0 the rim is dragged forward over the soil, so the shear brakes. σ is
+//! largest at θ0.
 //!
 //! | quantity | here |
 //! |---|---|
@@ -12,11 +13,12 @@
 //! implementation quotes it (Madsen 2013). What was derived and checked: with m = tan(π/4 − φ/2) it has the closed form
 //! θ0 = arccos((1 + s) cos β) − β, β = π/4 − φ/2, which rises from 0 at s = 0 to π/4 + φ/2 on the locked wheel.
 //!
-//! Validity: θ2 < θ0 < θ1. A wheel that brakes harder than its sinkage allows is refused, because σ, whose peak would be at the
-//! entry, vanishes as θ0 nears θ1. θ0 does not depend on the sinkage: the more skid, the deeper the wheel digs itself in at
-//! least. Departure: the exit is where the contact has it (the paper: θ2 = 0). As s → 0 the law has its largest stress at the
-//! lowest point and all shear forward, which is not the rolling wheel of the other law: results jump at s = 0. Madsen takes the
-//! law for skids above 5 %.
+//! Units: angles in rad, s has none. Validity: θ2 < θ0 < θ1. A wheel that brakes harder than its sinkage allows is refused: the
+//! peak of σ would be at the entry, and σ vanishes as θ0 nears θ1. θ0 does not depend on the sinkage, so the least sinkage
+//! grows with skid: the wheel digs itself in. As s → 0 the largest stress moves to the lowest point and all shear points
+//! forward. The rolling wheel of the other law is different, so results jump at s = 0. Madsen uses the law for skids above 5 %.
+//!
+//! Departure: the exit angle is that of the contact (the paper: θ2 = 0).
 
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised};

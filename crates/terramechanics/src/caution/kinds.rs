@@ -24,7 +24,7 @@ const LARGEST_INTEGRATION_ERROR: f64 = 1e-9;
 /// Residual of the load balance over the load above which a result says so; a thousand times more is refused.
 const LARGEST_LOAD_RESIDUAL: f64 = 1e-9;
 
-/// Share of the pressure on the side wall below which all of it is more than twice what is there.
+/// Mobilised share of the pressure on the side wall below which the full pressure is more than twice the mobilised one.
 const SMALLEST_MOBILISED_SHARE: f64 = 0.5;
 
 /// Declares the kinds and lists them, so that none is left out of the list; those of one law alone stand with the law.
@@ -43,9 +43,9 @@ kinds! {
     SMALL_WHEEL;
     DEEP_SINKAGE = CautionKind {
         code: "deep_sinkage",
-        meaning: "The wheel sinks deeper than in the tests named. Deeper tests are known of one wheel alone (Pavlov & Johnson \
-                  2024, up to 0.87), whose soil was tuned to them. The model leaves out the soil that piles up in front of \
-                  the wheel.",
+        meaning: "The wheel sinks deeper than in the tests named. Only one wheel was tested deeper (Pavlov & Johnson 2024, up \
+                  to 0.87), with a soil that was tuned to those tests. The model leaves out the soil that piles up in front \
+                  of the wheel.",
         advice: "Take the forces as a rough estimate.",
         parameter: None,
         range: Some(TestedRange {
@@ -58,7 +58,7 @@ kinds! {
     };
     SLIP_BEYOND_FIT = CautionKind {
         code: "slip_beyond_fit",
-        meaning: "The slip gain of the sinkage exponent was fitted to tests up to this slip and is extrapolated beyond it.",
+        meaning: "The slip gain n1 of the sinkage exponent was fitted to tests up to that slip and is extrapolated here.",
         advice: "Check the sinkage against a test at this slip.",
         parameter: Some(&SinkageExponent::SLIP_GAIN),
         range: Some(TestedRange {
@@ -78,22 +78,22 @@ kinds! {
     };
     SLIP_BEYOND_LYASKO = CautionKind {
         code: "slip_beyond_fit",
-        meaning: "No range is known for Lyasko's slip–sinkage law. At this slip, the largest of the tests named, wheels had \
-                  sunk to 3 to 7 times the static sinkage, where the law gives 2.3 times.",
-        advice: "Expect a deeper wheel than is computed.",
+        meaning: "No tested range is known for Lyasko's slip–sinkage law. At the largest slip of the tests named, wheels \
+                  sank 3 to 7 times as deep as at rest; the law gives 2.3 times.",
+        advice: "Expect the wheel to sink deeper than computed.",
         parameter: None,
         range: Some(TestedRange {
             quantity: "slip",
             unit: "1",
             lower: None,
             upper: Some(LARGEST_FITTED_SLIP),
-            source: "single-wheel tests of Ding et al. 2010; Lyasko 2010 was not read for a range",
+            source: "single-wheel tests of Ding et al. 2010; the range of Lyasko 2010 is not known",
         }),
     };
     SLIP_BEYOND_LINEAR = CautionKind {
         code: "slip_beyond_fit",
-        meaning: "The linear slip–sinkage law was published without a range, and its gain is the caller's own. Single-wheel \
-                  tests of sinkage over slip go up to this slip.",
+        meaning: "The linear slip–sinkage law was published without a range, and you choose its gain. Single-wheel tests of \
+                  sinkage over slip end at that slip.",
         advice: "Check the gain against a test at this slip.",
         parameter: None,
         range: Some(TestedRange {
@@ -106,7 +106,7 @@ kinds! {
     };
     SLIP_BEYOND_COUPLED_TESTS = CautionKind {
         code: "slip_beyond_fit",
-        meaning: "The coupled forms come from authors whose single-wheel tests had driving wheels up to this slip.",
+        meaning: "The authors of the coupled forms tested driving wheels only, and no higher slips.",
         advice: "Take torque and pull as a rough estimate.",
         parameter: None,
         range: Some(TestedRange {
@@ -160,7 +160,7 @@ kinds! {
     NEGATIVE_COHESIVE_MODULUS;
     LOW_GRAVITY = CautionKind {
         code: "low_gravity",
-        meaning: "The laws of pressure and shear were tested in the Earth's gravity. How sinkage changes in a lower gravity \
+        meaning: "The laws of pressure and shear were tested in Earth gravity. How sinkage changes in a lower gravity \
                   is an open question.",
         advice: "Allow a margin on the sinkage.",
         parameter: None,
@@ -174,16 +174,16 @@ kinds! {
     };
     LUG_HEIGHT_ASSUMED = CautionKind {
         code: "lug_height_assumed",
-        meaning: "The wheel has or may have lugs whose height is not published. It is computed as smooth.",
+        meaning: "The wheel has or may have lugs, but their height is not published, so it is computed as smooth.",
         advice: "Give the lug height if it is known.",
         parameter: Some(&Wheel::LUG_HEIGHT),
         range: None,
     };
     PEAK_RULE_SET_ASIDE = CautionKind {
         code: "peak_rule_set_aside",
-        meaning: "A braking wheel with two zones has its largest stress where they meet, so the contact's own rule for that \
-                  angle is not used at negative slip.",
-        advice: "Choose one zone of braking if that rule is to hold.",
+        meaning: "The largest stress of a braking wheel with two zones lies where the zones meet, so the contact's rule for \
+                  the angle of maximum stress is not used at negative slip.",
+        advice: "Choose one zone to keep that rule.",
         parameter: None,
         range: None,
     };
@@ -202,7 +202,7 @@ kinds! {
     };
     LOAD_RESIDUAL = CautionKind {
         code: "load_residual",
-        meaning: "The normal force is a small difference of large parts and balances the load no better than this.",
+        meaning: "The normal force is a small difference of large parts and balances the load only to within this residual.",
         advice: "Trust no more digits of the forces than this residual leaves.",
         parameter: Some(&WheelOnSoil::NORMAL_LOAD),
         range: Some(TestedRange {
@@ -215,8 +215,8 @@ kinds! {
     };
     NEGATIVE_NORMAL_STRESS = CautionKind {
         code: "negative_normal_stress",
-        meaning: "Load and torque lead to a normal stress that pulls on the wheel, which soil cannot do. They do not belong \
-                  together at this slip and sinkage.",
+        meaning: "With this load and torque the soil would have to pull the wheel down, which it cannot do. The two do not \
+                  fit together at this slip and sinkage.",
         advice: "Check the measured torque, load, slip and sinkage.",
         parameter: Some(&WheelOnSoil::TORQUE),
         range: Some(TestedRange {
@@ -249,7 +249,7 @@ kinds! {
     };
     BULLDOZING_LEFT_OUT = CautionKind {
         code: "bulldozing_left_out",
-        meaning: "The soil has no unit weight, so the lateral force lacks the soil that the side wall pushes aside.",
+        meaning: "The soil has no unit weight, so the lateral force leaves out the soil that the side wall pushes aside.",
         advice: "Give the unit weight of the soil.",
         parameter: Some(&Soil::UNIT_WEIGHT),
         range: None,
@@ -266,7 +266,7 @@ kinds! {
             lower: Some(SMALLEST_MOBILISED_SHARE),
             upper: None,
             source: "derived here, not published: the share that the shear law mobilises at the sideways displacement; the \
-                     half is a choice",
+                     limit of one half is a choice",
         }),
     };
 }

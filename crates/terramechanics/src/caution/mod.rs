@@ -1,8 +1,7 @@
-//! Of what does a result warn?
+//! When does a result leave the range in which its model was tested?
 //!
-//! A caution changes no number. It is data: the quantity, its value, the range, who found the range, and what to do; whoever
-//! shows it makes the sentence. Each kind is listed in [`Caution::KINDS`], so that a service can tell its users beforehand what
-//! it watches.
+//! A caution changes no number. It is data: the quantity, its value, the range, the source of the range, and what to do. Whoever
+//! shows it makes the sentence. [`Caution::KINDS`] lists every kind, so a service can tell its users what it watches.
 
 mod kinds;
 

@@ -1,8 +1,8 @@
 //! Where is the stress largest, if half of the sinkage lies above that place? θm = arccos(1 − z/(2r)), which makes the letter's
 //! Eq. (8), z(θm) ≈ z/2, exact.
 //!
-//! Validity: that of Eq. (8), which the letter gives without a range. Departure: the letter takes Eq. (8) for an approximation
-//! wherever the peak lies; here the peak is placed so that it holds.
+//! Units: z and r in m, θm in rad. Validity: that of Eq. (8), which the letter gives without a range. Departure: the letter uses
+//! Eq. (8) as an approximation wherever the peak lies; here the peak is placed so that the equation holds.
 
 use super::{ContactArc, angle_at_depth};
 use crate::law::Declared;

@@ -1,7 +1,8 @@
-//! Where is the stress largest, for want of a measurement? In the middle of the contact (Shibly et al. 2005, source 16):
+//! Where is the stress largest, if nobody measured it? In the middle of the contact (Shibly et al. 2005, source 16):
 //! θm = (θ1 + θ2)/2.
 //!
-//! Validity: a simplification for the closed forms, which makes both sides of the peak equally long. No departures.
+//! Units: angles in rad. Validity: a simplification for the closed forms, which makes both sides of the peak equally long. No
+//! departures.
 
 use super::ContactArc;
 use crate::law::Declared;

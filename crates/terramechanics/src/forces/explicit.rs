@@ -1,6 +1,6 @@
-//! The letter's own explicit formulas (Eqs. 14–17): forces from slip and sinkage alone.
+//! What forces follow from slip and sinkage alone? The letter's own explicit formulas (Eqs. 14–17).
 //!
-//! With σm = K_s z_m^N and the E of the peak, and with the printed errors put right:
+//! With σm = K_s z_m^N (Eq. 1) and E at the peak (Eq. 6), and with the printed errors corrected:
 //!
 //! | equation | here |
 //! |---|---|
@@ -10,16 +10,18 @@
 //! | (16) F_z = √r (1 − λ_A) b K_s (z/2)^(N+1/2) + (r_s/r) (1 + λ_B) b E [K_s tan φ (z/2)^(N+1) + c (z/2)] | [`forces`] |
 //! | (17) T = (r_s²/2) b E θ1 [c + (z/2)^N K_s tan φ] | [`forces`] |
 //!
-//! (15) and (16) are A Y − B X and A X + B Y of Eq. (11), X = r b σm and Y = r_s b τm, with (14) and z_m = z/2 put in; they are
-//! computed in that form, which gives the four parts of the forces as well. A test holds it to the formulas as they stand here.
+//! Eqs. (15) and (16) are A Y − B X and A X + B Y of Eq. (11), with X = r b σm, Y = r_s b τm, A and B from (14) and z_m = z/2
+//! from (8). They are computed in that form, which also gives the four parts of the forces. A test compares the result with the
+//! formulas above.
 //!
-//! Units: SI, forces in N, the torque in N·m. Validity: the exit at the lowest point, θ2 = 0, from which (14) and (17) follow.
-//! The half sinkage of Eq. (8) holds under the rule [`HalfSinkage`](crate::HalfSinkage); with the peak at the midpoint of a
-//! shallow contact the depth there is 3/4 of the sinkage, so that the published form carries much less than the quadrature.
+//! Units: SI, forces in N, the torque in N·m; λ_A and λ_B have none. Validity: exit at the lowest point, θ2 = 0, from which
+//! (14) and (17) follow. The half sinkage of Eq. (8) is exact under the rule [`HalfSinkage`](crate::HalfSinkage). With the peak
+//! at the midpoint of a shallow contact the depth there is 3/4 of the sinkage, so the published form carries much less than the
+//! quadrature.
 //!
-//! Departures: (15) prints r_s √r for r_s/√r (erratum 9) and C for c (erratum 10); (17) takes the whole entry angle, arccos(1 −
-//! z/r), which (13) halves (erratum 7). The normal stress may act at r_s (erratum 3), the depth under the peak may be the
-//! geometric one, and λ_A and λ_B may be those at which (14) is exact.
+//! Departures: (15) prints r_s √r for r_s/√r (erratum 9) and C for c (erratum 10). (17) uses the whole entry angle, arccos(1 −
+//! z/r), which (13) halves (erratum 7). Options: the normal stress at r_s (erratum 3), the geometric depth under the peak, and
+//! λ_A and λ_B computed so that (14) is exact.
 
 use super::linearised::closed_form;
 use super::{ForceModel, Forces, Lambda, PeakDepth, ShapeIntegrals};

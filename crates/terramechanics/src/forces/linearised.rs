@@ -1,13 +1,14 @@
-//! Forces of stresses that are linear on both sides of the peak (Shibly et al. 2005, source 16; letter, Eqs. 7, 11, 12).
+//! What forces follow if both stresses are linear on either side of the peak? (Shibly et al. 2005, source 16; letter, Eqs. 7,
+//! 11, 12)
 //!
 //! | equation | here |
 //! |---|---|
 //! | (11) F_x = A Y − B X, F_z = A X + B Y, T = r_s H Y, with X = r_n b σm and Y = r_s b τm | [`closed_form`] |
 //! | (12) A, B and H | [`ShapeIntegrals`] |
 //!
-//! Units: SI. Validity: contacts of one zone, on which both stresses rise and fall about linearly; the power law of the pressure
-//! is rounder than a triangle, so that the linear stresses carry less than the quadrature with the peak at the midpoint.
-//! Departures: X carries r, not r_s (erratum 3), unless asked otherwise; T carries r_s, not r (erratum 6).
+//! Units: SI, forces in N, the torque in N·m. Validity: contacts of one zone on which both stresses rise and fall about
+//! linearly. The power law of the pressure bulges above a triangle, so with the peak at the midpoint linear stresses carry less
+//! than the quadrature. Departures: X carries r, not r_s (erratum 3), unless asked otherwise; T carries r_s, not r (erratum 6).
 
 use super::{Components, ForceModel, Forces, PeakDepth, ShapeIntegrals, peak_stresses};
 use crate::stress::StressField;

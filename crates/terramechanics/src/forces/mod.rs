@@ -1,7 +1,7 @@
 //! What forces and torque does the soil exert on the wheel? (letter, Eqs. 10–17)
 //!
-//! Three ways: [`quadrature`] of the stresses (Eq. 10), the [`linearised`] stresses in closed form (Shibly et al. 2005;
-//! Eqs. 7, 11, 12), and the letter's own [`explicit`] formulas (Eqs. 14–17).
+//! There are three methods: [`quadrature`] of the stresses (Eq. 10), the closed form for [`linearised`] stresses (Shibly et al.
+//! 2005; Eqs. 7, 11, 12), and the letter's own [`explicit`] formulas (Eqs. 14–17).
 //!
 //! Departures from the letter as printed, with the number of the erratum: the normal stress acts at the rim unless asked
 //! otherwise (3); the normal force is the sum of both parts (4); the torque's integral starts at the exit (5); the torque

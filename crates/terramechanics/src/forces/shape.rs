@@ -1,4 +1,13 @@
-//! The shape integrals A, B, H of linear stresses (letter, Eq. 12; Shibly et al. 2005).
+//! What is the resultant of a triangular stress along the rim? The shape integrals A, B and H of linear stresses (letter, Eq. 12;
+//! Shibly et al. 2005, source 16).
+//!
+//! | equation | here |
+//! |---|---|
+//! | (12a) A = (cos θm − cos θ2)/(θm − θ2) + (cos θm − cos θ1)/(θ1 − θm) | [`ShapeIntegrals::a`] |
+//! | (12b) B = (sin θm − sin θ2)/(θm − θ2) + (sin θm − sin θ1)/(θ1 − θm) | [`ShapeIntegrals::b`] |
+//! | (12c) H = (θ1 − θ2)/2 | [`ShapeIntegrals::h`] |
+//!
+//! Units: angles in rad; A, B and H have none. Validity: θ2 < θm < θ1, and exact for linear stresses. No departures.
 
 use crate::contact::Angles;
 use crate::numerics::circular::ArcMeans;

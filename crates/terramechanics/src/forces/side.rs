@@ -1,14 +1,13 @@
-//! Forces on a wheel that moves at an angle to its plane: those along it, and the one across with its moments.
+//! What forces act on a wheel that moves at an angle to its plane? The forces in the plane, the lateral force and its moments.
 //!
-//! F_y = ∫ {r_s b τ_y + R_b (r − h cos θ)} dθ (Ishigami et al. 2005, 2007), with the wall as deep as the rim is at θ, also
+//! F_y = ∫ {r_s b τ_y + R_b (r − h cos θ)} dθ (Ishigami et al. 2005, 2007), with the wall as deep as the rim at θ, also
 //! behind the peak of the stresses.
 //!
-//! M_x = r F_y is the published overturning moment. For M_z the published form is F_y r sin θm, as if all of the force acted
-//! at the peak of the stresses. Here M_z is the moment of the same stresses, ∫ {r_s² b τ_y + r R_b (r − h cos θ)} sin θ dθ:
-//! an element of F_y at θ lies r sin θ ahead of the axle, and its moment about the axis upwards is that arm times the force.
-//! It needs no guess of the place.
+//! M_x = r F_y is the published overturning moment. The published M_z is F_y r sin θm, as if the whole force acted at the peak
+//! of the stresses. Here M_z is the moment of the stresses themselves, ∫ {r_s² b τ_y + r R_b (r − h cos θ)} sin θ dθ: an
+//! element of F_y at θ acts r sin θ ahead of the axle. So no point of action has to be assumed.
 //!
-//! Stresses that are not coupled leave the forces along the wheel as they are without a slip angle, to the last bit.
+//! With independent stresses the forces in the plane of the wheel equal those without a slip angle, to the last bit.
 
 use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
 use super::quadrature::{self, Rim, Shearing};
@@ -22,7 +21,7 @@ use crate::stress::StressField;
 pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>, side: &SideSlip) -> Forces {
     let patch = stresses.patch;
     let rim = Rim::of(stresses);
-    // Going straight ahead, nothing is there to be coupled.
+    // Straight ahead there is no lateral stress to couple.
     let along = if side.coupling == ShearCoupling::Independent || side.angle.sign() == 0.0 {
         quadrature::forces(model, stresses)
     } else {
@@ -32,10 +31,10 @@ pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>, side: &Side
     Forces { integration_error: along.integration_error.max(error), side: Some(force), ..along }
 }
 
-/// Panels to begin with at the most: parted by a layer of shear, two turns of the slip velocity and two reversals.
+/// Most panels to begin with: edges at a shear layer, two turns of the slip velocity and two reversals.
 const FEW: usize = 6;
 
-/// The part along the wheel of a coupled stress.
+/// The component of a coupled stress along the rim.
 struct Coupled<'a> {
     patch: &'a ContactPatch<'a>,
     side: &'a SideSlip,

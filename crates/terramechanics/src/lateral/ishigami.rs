@@ -1,4 +1,4 @@
-//! How does a wheel push sideways? Lateral shear under it, and soil bulldozed by its side wall.
+//! What lateral force does a wheel at a slip angle develop? Lateral shear under the rim, and soil bulldozed by the side wall.
 //!
 //! Ishigami, Miwa, Nagatani & Yoshida 2005 (JSME Robomech 1A1-S-055, Eqs. 10–12) and 2007 (J. Field Robotics 24):
 //!
@@ -9,34 +9,37 @@
 //! | R_b = D1 (c h + D2 γ h²/2) | [`SideWall::resistance`] |
 //! | F_y = ∫ {r b τ_y + R_b (r − h cos θ)} dθ | `forces/side` |
 //!
-//! The factor 2. The 2005 paper prints R_b = D1 (c h + D2 γ h²) with D2 = 2.55 at φ = 37.2°, the 2007 one a half with the
-//! weight. D2 = cot X_c + cot² X_c / cot φ gives 5.095 there: the older value has the half in it, and both are one formula.
+//! Units: SI; γ is a unit weight (N/m³), R_b a force per length of rim (N/m).
 //!
-//! Checked otherwise. With X_c = π/4 − φ/2, cot X_c = tan(X_c + φ) = √K_p, the root of Rankine's passive coefficient. So
-//! D1 = 2 √K_p is Rankine's cohesion term exactly, and D1 D2/2 = K_p (1 + √K_p tan φ) is 2 (1 + √K_p tan φ) times his weight
-//! term K_p/2: the soil that is heaped up in front of the wall comes on top of the wedge.
+//! The factor 1/2. The 2005 paper prints R_b = D1 (c h + D2 γ h²) with D2 = 2.55 at φ = 37.2°; the 2007 paper has 1/2 in the
+//! weight term. D2 = cot X_c + cot² X_c / cot φ is 5.095 at that angle. So the 2005 value includes the 1/2, and the two papers
+//! have the same formula.
 //!
-//! A limit of the published form: R_b depends on neither β nor the slip, so F_y does not vanish where the sideways motion does.
-//! At a slip of 0.91 the smooth wheel of the 2005 paper measured −4 to −1 N at all its slip angles, no push to the other side.
-//! [`Bulldozing`](super::Bulldozing) offers the share of R_b that E_y mobilises instead: the wall meets new soil all the time,
-//! and at θ has pushed it by j_y only.
+//! A check against Rankine. With X_c = π/4 − φ/2, cot X_c = tan(X_c + φ) = √K_p, the root of Rankine's passive coefficient. So
+//! D1 = 2 √K_p is exactly Rankine's cohesion term. D1 D2/2 = K_p (1 + √K_p tan φ) is 2 (1 + √K_p tan φ) times his weight term
+//! K_p/2, because soil heaped up in front of the wall adds to the wedge.
 //!
-//! Departures: the shear law is that of the soil, Janosi–Hanamoto's is the published one; a braking wheel has κ = 1/(1 + s)
-//! in place of 1 − s; τ_y acts at the shearing radius of a wheel with lugs, as τ does.
+//! Validity: R_b depends on neither β nor the slip, so F_y as published does not vanish with the sideways motion. At a slip of
+//! 0.91 the smooth wheel of the 2005 paper measured only −4 to −1 N, at all its slip angles. [`Bulldozing`](super::Bulldozing)
+//! therefore offers the share of R_b that E_y mobilises: the side wall meets fresh soil all the time, and at θ it has pushed
+//! that soil by j_y only.
+//!
+//! Departures: the shear law is that of the soil (published: Janosi–Hanamoto); a braking wheel has κ = 1/(1 + s) in place of
+//! 1 − s; with lugs τ_y acts at the shearing radius, as τ does.
 
 use super::SlipAngle;
 use crate::patch::ContactPatch;
 use crate::rim::RimPoint;
 use crate::soil::Soil;
 
-/// |j_y| (m) at a place of the rim of a turning wheel.
+/// |j_y| (m) at a rim point of a turning wheel.
 #[inline]
 pub(super) fn displacement(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
     rolling.system.wheel.radius() * rolling.velocity_ratio().0 * point.arc() * angle.steepness()
 }
 
-/// E_y (–) at a place of the rim, without sign; on a locked wheel, whose displacement has no end, what that leaves.
+/// E_y (–) at a rim point, without sign. A locked wheel has an infinite displacement and so the residual share.
 #[inline]
 pub(super) fn lateral_share(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngle) -> f64 {
     let shear = patch.rolling.shear();
@@ -47,14 +50,14 @@ pub(super) fn lateral_share(patch: &ContactPatch<'_>, point: &RimPoint, angle: S
     }
 }
 
-/// Arc (rad) behind the entry over which E_y changes; infinite where it does not.
+/// Arc (rad) behind the entry over which E_y builds up; infinite where it is constant.
 pub(super) fn layer(patch: &ContactPatch<'_>, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
     let growth = rolling.system.wheel.radius() * rolling.velocity_ratio().0 * angle.steepness();
     if rolling.slip.is_locked() || growth == 0.0 { f64::INFINITY } else { 1.0 / (growth * rolling.per_lateral_modulus()) }
 }
 
-/// The resistance of a soil to a wall that is pushed sideways into it.
+/// The resistance of the soil to a side wall that is pushed into it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SideWall {
     /// D1 c (N/m²).
@@ -64,7 +67,7 @@ pub(crate) struct SideWall {
 }
 
 impl SideWall {
-    /// The wall in a soil; none where the unit weight of the soil is not known.
+    /// The side wall in this soil; none where the unit weight of the soil is not known.
     pub(crate) fn of(soil: &Soil) -> Option<Self> {
         let unit_weight = soil.unit_weight()?;
         let Factors { d1, d2 } = Factors::of(soil.tan_friction());
@@ -101,7 +104,7 @@ mod tests {
 
     #[test]
     fn the_factors_are_those_of_the_paper() {
-        // 37.2°: D1 = 4.03 and, with the half in it, D2 = 2.55 (Ishigami et al. 2005); the next digits re-derived.
+        // 37.2°: D1 = 4.03 and, with the factor 1/2 included, D2 = 2.55 (Ishigami et al. 2005); further digits re-derived.
         let Factors { d1, d2 } = Factors::of(37.2_f64.to_radians().tan());
         assert!((d1 - 4.029).abs() < PRINTED && (d2 - 5.095).abs() < PRINTED, "{d1}, {d2}");
         assert_eq!((format!("{d1:.2}"), format!("{:.2}", 0.5 * d2)), ("4.03".to_owned(), "2.55".to_owned()));

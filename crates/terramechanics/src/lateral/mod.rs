@@ -3,14 +3,14 @@
 //! Axes: x ahead in the plane of the wheel, y to its left, z up, origin at the axle. Forces and moments are those of the
 //! soil on the wheel; a moment is positive by the right-hand rule about its axis.
 //!
-//! Signs. The slip angle β is counted from the velocity to the heading, counterclockwise seen from above: at β > 0 the wheel
-//! moves to its right, v_y = −|v_x| tan β. The lateral force opposes the sideways motion, so F_y has the sign of β, as it is
-//! printed by Ishigami.
+//! Signs. The slip angle β is measured from the velocity to the heading, counterclockwise seen from above: at β > 0 the wheel
+//! moves to its right, v_y = −|v_x| tan β. The lateral force opposes the sideways motion, so F_y has the sign of β, as Ishigami
+//! prints it.
 //!
-//! What a place of the rim does to the soil. With κ = v_x/(rω), it moves against the soil at rω (1 − κ cos θ) backwards
-//! along the rim and at rω κ tan β sideways. It came in at θ1 a time (θ1 − θ)/ω ago, so it has gone sideways by
-//! j_y = r κ (θ1 − θ) tan β. A driving wheel has κ = 1 − s, which is the printed formula; a braking one 1/(1 + s), as its
-//! displacement along the rim has. As the letter's j, both carry the rim radius, also with lugs.
+//! Displacement. With κ = v_x/(rω), a rim point slips against the soil at rω (1 − κ cos θ), backwards along the rim, and at rω
+//! κ tan β sideways. It entered the soil at θ1, a time (θ1 − θ)/ω ago, so its sideways displacement is j_y = r κ (θ1 − θ) tan
+//! β. A driving wheel has κ = 1 − s, which is the printed formula. A braking wheel has κ = 1/(1 + s), as in its displacement
+//! along the rim. Like the letter's j, both displacements are counted on the rim radius, also with lugs.
 //!
 //! | part | here |
 //! |---|---|
@@ -38,8 +38,8 @@ impl SlipAngle {
     /// A wheel that goes straight ahead.
     pub const STRAIGHT: Self = Self { angle: 0.0, tan: 0.0 };
 
-    /// Largest size (rad). At π/2 the wheel does not move along its own plane, and neither its slip nor tan β says how fast it
-    /// moves: the bound keeps 4° away from there.
+    /// Largest size (rad). At π/2 the wheel does not move in its own plane, and neither slip nor tan β says how fast it moves.
+    /// The bound stays 4° away from that.
     pub const LARGEST: f64 = 1.5;
 
     /// β.
@@ -83,32 +83,32 @@ impl SlipAngle {
 /// How the shear stresses along and across the wheel share the strength of the soil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShearCoupling {
-    /// Each by its own displacement, as if the other were not there: Ishigami et al. 2007. Together they may exceed the
-    /// strength, by up to √2.
+    /// Each follows its own displacement, as if the other were absent: Ishigami et al. 2007. Together they may exceed the
+    /// strength by a factor of up to √2.
     Independent,
     /// One stress along the slip velocity: Pavlov & Johnson 2024. It never exceeds the strength.
     Coupled,
 }
 
-/// How much of the pressure on the side wall is there.
+/// How much of the pressure on the side wall acts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bulldozing {
-    /// All of it, however little the wall has moved: Ishigami et al. 2007. So the lateral force does not vanish with the slip
-    /// angle, nor where the wheel spins on the spot.
+    /// All of it, however little the wall has moved: Ishigami et al. 2007. The lateral force then does not vanish with the slip
+    /// angle, nor when the wheel spins on the spot.
     Full,
-    /// The share that the shear law mobilises at the sideways displacement j_y: a departure, which vanishes with the motion
-    /// and tends to the full pressure.
+    /// The share that the shear law mobilises at the sideways displacement j_y. This departure from the paper vanishes without
+    /// sideways motion and tends to the full pressure with it.
     Mobilised,
 }
 
-/// Motion at an angle to the plane of the wheel, and what is taken to follow from it.
+/// Motion at an angle to the plane of the wheel, and the laws for the forces that follow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SideSlip {
     /// The slip angle.
     pub angle: SlipAngle,
     /// How the shear stresses are coupled.
     pub coupling: ShearCoupling,
-    /// How much of the pressure on the side wall is there.
+    /// How much of the pressure on the side wall acts.
     pub bulldozing: Bulldozing,
 }
 
@@ -134,13 +134,13 @@ impl SideSlip {
         coupled::shares(patch, point, self.angle).longitudinal
     }
 
-    /// Share of the pressure on the side wall that is there at a place of the rim if it has to be mobilised.
+    /// Share of the side-wall pressure that is mobilised at a rim point (–).
     #[inline]
     pub(crate) fn bulldozing_share(&self, patch: &ContactPatch<'_>, point: &RimPoint) -> f64 {
         ishigami::lateral_share(patch, point, self.angle)
     }
 
-    /// Arc (rad) behind the entry over which the shares change.
+    /// Arc (rad) behind the entry over which the shares build up.
     pub(crate) fn layer(&self, patch: &ContactPatch<'_>) -> f64 {
         let lateral = ishigami::layer(patch, self.angle);
         match self.coupling {
@@ -155,20 +155,20 @@ impl SideSlip {
 pub struct SideForce {
     /// Lateral force F_y (N), to the left.
     pub lateral: f64,
-    /// Overturning moment M_x (N·m) about the axis ahead: r F_y, as published; it takes the force at the lowest point.
+    /// Overturning moment M_x (N·m) about the forward axis: r F_y as published, with the force at the lowest point of the rim.
     pub overturning_moment: f64,
-    /// Aligning moment M_z (N·m) about the axis upwards: the integral of the lateral stress with its arm.
+    /// Aligning moment M_z (N·m) about the vertical axis: the integral of the lateral stress times its lever arm.
     pub aligning_moment: f64,
-    /// The part of F_y that the shear stress makes (N).
+    /// Part of F_y from the shear stress (N).
     pub shear: f64,
-    /// The part of F_y that the pressure on the side wall makes (N); none where the soil's unit weight is not known.
+    /// Part of F_y from the pressure on the side wall (N); none where the soil's unit weight is not known.
     pub bulldozing: Option<f64>,
-    /// Share of the full pressure on the side wall that the sideways displacement mobilises (–); 1 where there is none.
+    /// Share of the full side-wall pressure that the sideways displacement mobilises (–); 1 where there is no such pressure.
     pub mobilised_share: f64,
 }
 
 impl SideForce {
-    /// The force on the mirror image of the wheel, which moves backward: the lever arms along x change sides.
+    /// The force on the mirror image of the wheel, which moves backward: the lever arms along x change sign.
     #[must_use]
     pub(crate) fn mirrored(self) -> Self {
         Self { aligning_moment: -self.aligning_moment, ..self }

@@ -1,13 +1,14 @@
-//! How deep does a rigid wheel sink under its load, and what does pressing its rut take? (Bekker 1956, 1969)
+//! How deep does a rigid wheel sink under its load, and what resistance does its rut cause? (Bekker 1956, 1969)
 //!
 //! | equation | here |
 //! |---|---|
 //! | z = [3 W/((3 − n) b K_s √D)]^(2/(2n + 1)) | [`sinkage`] |
 //! | R_c = b K_s z^(n + 1)/(n + 1), the work of pressing the rut per length | [`resistance`] |
 //!
-//! The rim is a parabola, x² = D (z − depth), on which the plates' pressure K_s depth^n stands upright; its load is
-//! b K_s √D z^(n + 1/2) ∫(1 − u²)^n du over 0…1, and (3 − n)/3 stands for the integral. That is exact at n = 0 and n = 1,
-//! too much between them, too little beyond, and nothing at n = 3, from where on there is no sinkage; a test tells by how much.
+//! The rim is approximated by a parabola, x² = D (z − depth), and the plate pressure K_s depth^n acts vertically on it. The
+//! load is b K_s √D z^(n + 1/2) ∫(1 − u²)^n du over 0…1, with (3 − n)/3 in place of the integral. That is exact at n = 0 and n
+//! = 1, too large between them and too small beyond. At n = 3 it is zero, and from there on no sinkage exists. A test states
+//! the error.
 //!
 //! Validity: as Wong (Theory of Ground Vehicles, ch. 2) reports of Bekker, sinkages up to a sixth of the diameter and wheels
 //! larger than half a metre; shear stress and slip are left out. The formulas were read in course material (Akin,

@@ -1,5 +1,5 @@
-//! What do a vehicle engineer's estimates say of a wheel, from its load alone? Bekker's resistances and thrust (Bekker 1956,
-//! 1960, 1969), to be set beside the integral of the stresses.
+//! Which sinkage, resistances and thrust do a vehicle engineer's estimates give from the load alone? Bekker's resistances and
+//! thrust (Bekker 1956, 1960, 1969), to be set beside the integral of the stresses.
 //!
 //! | model | here |
 //! |---|---|
@@ -8,11 +8,11 @@
 //! | bearing capacity factors | `bearing.rs` |
 //! | thrust | `thrust.rs` |
 //!
-//! They share a contact without stresses along it: the wheel sinks as plates would that carry the load, and stands on the arc
-//! from the entry to the lowest point. Slip does not deepen the sinkage: the exponent is that at rest, n0. Each model of
-//! pressure and sinkage takes part with its modulus K_s, where the books have Bekker's.
+//! They share one simple contact: the wheel sinks like plates that carry the load, and stands on the arc from the entry to the
+//! lowest point. There are no shear stresses, and slip does not deepen the sinkage: the exponent is the one without slip, n0.
+//! Every pressure–sinkage law can be used through its modulus K_s; the books have Bekker's only. Units: SI, forces in N.
 //!
-//! What an estimate needs and a soil lacks is a [`Lacking`] in its place; the others are found all the same.
+//! Where a soil lacks what an estimate needs, a [`Lacking`] stands in its place; the other estimates are still computed.
 
 mod bearing;
 mod bulldozing;

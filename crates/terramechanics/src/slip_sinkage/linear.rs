@@ -1,7 +1,8 @@
-//! How much deeper does a slipping wheel sink, where only a slope was measured? A linear gain (Lines 2021, thesis code, source 11):
+//! How much deeper does a slipping wheel sink, if only a slope was measured? A linear gain (Lines 2021, thesis code, source 11):
 //! z = z0 (1 + S s).
 //!
-//! Units: S has none. Validity: none was published; the gain is the user's own. At s < 0 the law is applied as written.
+//! Units: z and z0 in m, S has none. No departures. Validity: none was published; the gain is the user's own. At s < 0 the law
+//! is applied as written.
 
 use crate::caution::{Caution, LINEAR_SLIP_SINKAGE_EXTRAPOLATED, SLIP_BEYOND_LINEAR};
 use crate::law::Declared;
@@ -54,7 +55,7 @@ impl Parametrised for LinearSlipSinkage {
 
 impl Declared for LinearSlipSinkage {
     const NAME: &'static str = "linear";
-    const DOC: &'static str = "A sinkage that grows in a straight line with slip.";
+    const DOC: &'static str = "A sinkage that grows linearly with slip.";
     const FORMULA: &'static str = "z = z0 (1 + S s)";
     const SOURCES: &'static [Citation] = &[LINES.at("thesis code")];
 }

@@ -1,9 +1,9 @@
 //! How much deeper does a slipping wheel sink? Lyasko (2010; source 12), after Vasil'ev (1969); letter, Eq. (18):
 //! z = z0 (1 + s)/(1 − s/2).
 //!
-//! From 0 at s = −1 over z0 at rest to 4 z0 at s = 1. Validity: no range was read; it is known that wheels with lugs had sunk
-//! deeper than it says (Ding et al. 2010, source 5). The law was made for driving wheels; at s < 0 it is applied as written. The
-//! paper was not read; the formula is the letter's.
+//! z rises from 0 at s = −1 over z0 at s = 0 to 4 z0 at s = 1. Units: z and z0 in m, s has none. Validity: no range is known.
+//! Wheels with lugs sank deeper than by this law (Ding et al. 2010, source 5). The law was made for driving wheels; at s < 0 it
+//! is applied as written. No departures. The paper was not read; the formula is the letter's.
 
 use crate::caution::{Caution, SLIP_BEYOND_LYASKO, SLIP_SINKAGE_EXTRAPOLATED};
 use crate::law::Declared;

@@ -1,11 +1,11 @@
-//! What a run says of its samples.
+//! What a tracker reports about the samples so far.
 
 use super::{CautionTally, CulpritTally, Status, Tally, Tracker};
 use crate::events::Event;
 use crate::rolling::WheelOnSoil;
 
 impl Tracker {
-    /// The events that have ended, and how many more there were than are kept.
+    /// The events that have ended, and the number of further ones that were not kept.
     #[must_use]
     pub fn events(&self) -> (&[Event], u64) {
         (&self.events, self.events_left_out)
@@ -17,43 +17,43 @@ impl Tracker {
         self.rows
     }
 
-    /// The samples of a status, if there were any.
+    /// Count of the samples with this status, if there were any.
     #[must_use]
     pub fn tally(&self, status: Status) -> Option<&Tally> {
         self.tallies[status as usize].as_ref()
     }
 
-    /// What is wrong with the values of the samples that were refused: one of each status and channel.
+    /// The values for which samples were refused, one entry for each status and channel.
     #[must_use]
     pub fn culprits(&self) -> &[CulpritTally] {
         &self.culprits
     }
 
-    /// The good samples whose measured torque is missing, so that there is no pull by the coupled form, if there were any.
+    /// Count of the good samples without a pull by the coupled form, because their measured torque is missing.
     #[must_use]
     pub fn missing_torque(&self) -> Option<&Tally> {
         self.missing_torque.as_ref()
     }
 
-    /// The same for the load.
+    /// Count of the good samples without a pull by the coupled form, because their load is missing.
     #[must_use]
     pub fn missing_load(&self) -> Option<&Tally> {
         self.missing_load.as_ref()
     }
 
-    /// The wheel that is followed, on its soil.
+    /// The wheel on its soil.
     #[must_use]
     pub fn system(&self) -> &WheelOnSoil {
         &self.operation.system
     }
 
-    /// The good samples for which the coupled form has no answer, if there were any.
+    /// Count of the good samples for which the coupled form has no solution, if there were any.
     #[must_use]
     pub fn not_coupled(&self) -> Option<&Tally> {
         self.not_coupled.as_ref()
     }
 
-    /// What is to be said of the good samples: one of each kind.
+    /// Cautions about the good samples, one entry for each kind.
     #[must_use]
     pub fn cautions(&self) -> &[CautionTally] {
         &self.cautions

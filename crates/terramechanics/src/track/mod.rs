@@ -1,17 +1,16 @@
 //! How do sinkage, forces, power and energy of a wheel develop over time? Telemetry, one sample after another.
 //!
-//! Each sample is an operating point of its own: nothing but time, energy and events carries over, so memory stays constant
-//! and a row does not depend on the rows before it.
+//! Each sample is an operating point of its own. Only time, energy and events carry over, so memory stays constant and the
+//! forces of a row do not depend on earlier rows.
 //!
-//! * Power P = T ω; energy ∫ P dt by the trapezoidal rule, exact where the power is linear between samples.
-//! * A sample without a result counts as not sent: the trapezoid spans the gap between its neighbours. Where the time runs
-//!   backwards, no energy is added and the count goes on from the new time.
-//! * At rest, v = ω = 0, the slip is 0 by convention (letter, Eq. 2) and the row is that of the rolling limit s → 0; its power
-//!   is 0 because ω is.
-//! * A wheel that the soil does not carry at any sinkage up to its axle has no forces, but it counts as entrapped. A sinkage
-//!   beyond the axle that was measured has no forces either, but it is more likely a wrong unit, and no event.
-//! * A torque or a load that only the coupled form needs is no condition of the rest: where it is missing, the pull by that form
-//!   alone is.
+//! * Power P = T ω. Energy ∫ P dt by the trapezoidal rule, which is exact where the power is linear between samples.
+//! * A sample without a result is skipped: the trapezoid spans the gap between its neighbours. Where time runs backwards, no
+//!   energy is added and the integral goes on from the new time.
+//! * At rest, v = ω = 0, the slip is 0 by convention (letter, Eq. 2). The row is the limit of rolling, s → 0; the power is 0
+//!   because ω is 0.
+//! * A wheel that the soil does not carry at any sinkage up to the axle has no forces and counts as entrapped. A measured sinkage
+//!   beyond the axle has no forces either, but the likely cause is a wrong unit, so it is no event.
+//! * Only the coupled form needs the measured torque and load. Where one is missing, only the pull by that form is missing.
 
 mod findings;
 mod reached;
@@ -56,11 +55,11 @@ pub struct Tracker {
     backward: bool,
 }
 
-/// Events that are kept; a run with more is told how many there were.
+/// Most events that are kept; the rest are only counted.
 const MOST_EVENTS: usize = 1000;
 
 impl Tracker {
-    /// A tracker at its start, by the wheel, the soil and the method of `operation`; how the sinkage is known, each sample says.
+    /// A tracker for the wheel, the soil and the method of `operation`. Each sample says how its own sinkage is known.
     ///
     /// # Errors
     /// Every threshold outside its range.
@@ -123,7 +122,7 @@ impl Tracker {
         })
     }
 
-    /// What follows from the next sample.
+    /// The row of the next sample.
     pub fn push(&mut self, sample: &Sample) -> TrackRow {
         let index = self.rows;
         self.rows += 1;
@@ -187,7 +186,7 @@ impl Tracker {
         row
     }
 
-    /// Looks for events. A sample of which nothing is known neither starts nor ends one.
+    /// Updates the events. A sample without a slip leaves a stall as it is, one without a sinkage an entrapment.
     fn watch(&mut self, index: u64, row: &TrackRow, error: Option<Error>) {
         let beyond_axle = match error {
             Some(Error::LoadBeyondCapacity { .. }) => true,
@@ -210,7 +209,7 @@ impl Tracker {
         }
     }
 
-    /// Ends the events that last until now: to be called after the last sample.
+    /// Ends the events that still last. Call it after the last sample.
     pub fn finish(&mut self) {
         for event in [self.stall.end(), self.entrapment.end()].into_iter().flatten() {
             self.keep(event);

@@ -1,4 +1,4 @@
-//! What one sample gives by itself.
+//! The operating point of one sample.
 
 use super::refusal::{Refused, positive, present};
 use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
@@ -8,7 +8,7 @@ use crate::operation::Sinkage;
 use crate::outcome::Outcome;
 use crate::slip::{Heading, Motion, Slip};
 
-/// What one sample gives where it is good.
+/// The result of a good sample.
 pub(super) struct Reached {
     pub(super) row: TrackRow,
     pub(super) outcome: Outcome,
@@ -23,7 +23,7 @@ pub(super) enum Uncoupled {
 }
 
 impl Tracker {
-    /// The operating point of a sample; its slip is told as well where there is no more than that.
+    /// The operating point of a sample. `slip` is set as soon as it is known, also where the rest has no solution.
     pub(super) fn reached(&self, sample: &Sample, slip: &mut f64) -> Result<Reached, Refused> {
         let (motion, angular) = self.motion(&sample.motion)?;
         *slip = motion.slip.ratio();
@@ -88,7 +88,7 @@ impl Tracker {
         }
     }
 
-    /// What follows from the measured torque and load, of the wheel moving forward.
+    /// The coupled forms from the measured torque and load, for the wheel moving forward.
     fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<CoupledForces, Uncoupled> {
         let (torque, load) = (measured.torque.is_nan(), measured.normal_load.is_nan());
         if torque || load {

@@ -1,13 +1,13 @@
-//! Why a sample has no result.
+//! Why a sample has no result: its status, and the value at fault.
 
 use super::{Channel, Status};
 use crate::error::Error;
 
-/// Why it has none.
+/// Why a sample has no result.
 pub(super) struct Refused {
     pub(super) status: Status,
     pub(super) error: Option<Error>,
-    /// The value that is to blame, where it is one.
+    /// The value at fault, where it is a single one.
     pub(super) culprit: Option<(Channel, f64)>,
 }
 

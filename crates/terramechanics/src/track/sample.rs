@@ -1,4 +1,4 @@
-//! What is measured at one time, and what follows from it.
+//! A sample of the telemetry, and the row that is computed for it.
 
 use crate::operation::Sinkage;
 use crate::slip::Velocities;
@@ -12,7 +12,7 @@ pub enum SampleMotion {
     Velocities(Velocities),
 }
 
-/// What was measured at one time; a NaN is a value that is missing.
+/// What was measured at one time. NaN stands for a missing value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// Time (s).
@@ -23,7 +23,7 @@ pub struct Sample {
     pub sinkage: Sinkage,
     /// Torque (N·m) and normal load (N), where both are measured: then Ding's coupled form gives the pull as well.
     pub measured: Option<Measured>,
-    /// Whether one of the values that are missing was there, but could not be read.
+    /// Whether a missing value was sent, but could not be read.
     pub unreadable: bool,
 }
 
@@ -58,13 +58,13 @@ pub struct Measured {
 /// Whether a sample has a result, and if not, why.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// It has.
+    /// It has a result.
     Ok,
-    /// It has, and the wheel is at rest.
+    /// It has a result, and the wheel is at rest.
     Static,
     /// A value is missing.
     MissingValue,
-    /// A value was there, but could not be read.
+    /// A value was sent, but could not be read.
     Unreadable,
     /// A value is infinite, a load or sinkage is not positive, or a measured sinkage is beyond the radius.
     OutOfRange,
@@ -79,7 +79,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// All that can be.
+    /// Every status.
     pub const ALL: [Self; 9] = [
         Self::Ok,
         Self::Static,
@@ -115,12 +115,12 @@ impl Status {
     }
 }
 
-/// What follows from a sample; NaN where there is no value.
+/// The row of a sample; NaN where there is no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrackRow {
     /// Time (s).
     pub time: f64,
-    /// Slip s (–); known as well where only the forces have no solution.
+    /// Slip s (–); it is given even where the forces have no solution.
     pub slip: f64,
     /// Sinkage z (m).
     pub sinkage: f64,

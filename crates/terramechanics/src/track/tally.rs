@@ -1,21 +1,21 @@
-//! What a run remembers of its samples, in a size that does not grow with them.
+//! Counts over the samples of a run, in constant memory.
 
 use super::{Channel, Status};
 use crate::caution::Caution;
 use crate::error::Error;
 
-/// Samples of one status.
+/// Count of samples, such as those with one status.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tally {
     /// How many there were.
     pub count: u64,
-    /// The first of them, counted from 0.
+    /// Row of the first, from 0.
     pub first_row: u64,
     /// Why the model refused the first, where it did.
     pub error: Option<Error>,
 }
 
-/// Samples that have a status because of their value in one channel.
+/// Count of samples that have a status because of their value in one channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CulpritTally {
     /// The status.
@@ -30,14 +30,14 @@ pub struct CulpritTally {
     pub largest: f64,
 }
 
-/// Samples with a caution of one kind.
+/// Count of samples with a caution of one kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CautionTally {
-    /// The caution of the sample that is furthest out.
+    /// The caution of the sample furthest beyond the range.
     pub worst: Caution,
     /// How many there were.
     pub count: u64,
-    /// The first of them, counted from 0.
+    /// Row of the first, from 0.
     pub first_row: u64,
 }
 
@@ -65,7 +65,7 @@ impl CulpritTally {
 }
 
 impl CautionTally {
-    /// Counts the cautions of a sample, and keeps of each kind the one that is furthest out.
+    /// Counts the cautions of a sample and keeps, for each kind, the one furthest beyond its range.
     pub(super) fn count(tallies: &mut Vec<Self>, row: u64, cautions: impl Iterator<Item = Caution>) {
         for caution in cautions {
             match tallies.iter_mut().find(|known| std::ptr::eq(known.worst.kind, caution.kind)) {

@@ -38,14 +38,14 @@ pub(crate) struct PlatesReply {
     warnings: Vec<Warning>,
 }
 
-/// What one plate shows.
+/// The results of one plate.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = FoundPlate)]
 struct PlateReply {
     width_m: f64,
-    /// k_c/b + k_phi as this plate alone shows it with the common exponent (Pa/m^n).
+    /// k_c/b + k_phi from this plate alone, with the common exponent (Pa/m^n).
     modulus: f64,
-    /// Exponent of this plate's curve alone; null where its sinkages are all alike.
+    /// Exponent of this plate's curve alone; null where all its sinkages are equal.
     n0: Option<f64>,
 }
 

@@ -10,7 +10,7 @@ const SINKAGE: Field<Numbers> = column("sinkage_m", "Sinkage z (m).", Number::ne
 const PRESSURE: Field<Numbers> = column("pressure_pa", "Pressure p (Pa).", Number::new("Pa", 0.0, 1e12));
 const PLATE_CURVE: Object = Object {
     name: "PlateColumns",
-    doc: "Pressure over sinkage, as columns of one length. Rows without sinkage tell nothing of a power of it and are left out; of the others, one at least has to have a pressure.",
+    doc: "Pressure over sinkage, as columns of one length. Rows at zero sinkage are left out, because the law says nothing about the moduli there; at least one other row needs a pressure above 0.",
     groups: &[&[&SINKAGE, &PRESSURE]],
 };
 const WIDTH: Field<Number> =

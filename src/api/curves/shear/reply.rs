@@ -20,7 +20,7 @@ pub(crate) struct ShearReply {
     identifiable: bool,
     /// cohesion_pa, friction_angle_rad and shear_modulus_m.
     estimates: Vec<EstimateReply>,
-    /// Correlation of the estimates, in their order; null with one that has no standard error.
+    /// Correlation of the estimates, in their order; null for an estimate without a standard error.
     correlation: Vec<Vec<Option<f64>>>,
     /// Points minus parameters.
     degrees_of_freedom: f64,

@@ -32,12 +32,12 @@ const FIT: Field<Words<Unknown>> =
     Field::required("fit", "The parameters to find.", Words { word: NAMES, most: 13, all_unless_given: false });
 const STARTS: Field<Number> = Field::new(
     "starts",
-    "Starts that are tried; the further ones are spread over what soils have.",
+    "Number of starts to try; further ones are spread over the values of known soils.",
     Number::new("1", 1.0, MOST_STARTS as f64).whole().or(1.0),
 );
 const LOSS: Field<Word<Loss>> = Field::new(
     "loss",
-    "What a residual costs: its square, or less than that where it is an outlier.",
+    "How a residual counts: by its square, or by less where it is an outlier.",
     Word::new(&[
         ("least_squares", Loss::LeastSquares),
         ("huber", Loss::Huber),
@@ -90,7 +90,7 @@ pub(super) type IdentifyRequest = Documented<IdentifyCase>;
 impl Request for IdentifyCase {
     const OBJECT: &'static Object = &Object {
         name: "IdentifyRequest",
-        doc: "Measurements of a wheel, and which parameters to find from them; what is not fitted has to be known, what is fitted may be left out of the soil and the contact.",
+        doc: "Measurements of a wheel, and which parameters to find from them; what is not fitted has to be known; what is fitted may be left out of the soil and the contact.",
         groups: &[
             &[&WHEEL, &PARTIAL_SOIL, &CONTACT],
             METHOD,
