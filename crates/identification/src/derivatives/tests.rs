@@ -1,7 +1,7 @@
 use super::*;
 use crate::consent::Consent;
-use crate::options::FitOptions;
 use crate::observations::{Column, Observations};
+use crate::options::FitOptions;
 use crate::unknown::Unknown;
 use terramechanics::{
     ContactParams, Direct, ForceModel, JanosiHanamoto, Method, PeakRule, PressureSinkage, ShearLaw, SinkageExponent, Slip,
