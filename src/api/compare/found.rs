@@ -1,7 +1,10 @@
 //! One case by several methods and laws.
 
+use std::collections::BTreeMap;
+
 use terramechanics::{Operation, Slip};
 
+use super::difference::{Difference, Spread};
 use super::request::{CompareCase, Variation};
 use crate::api::slip_sweep::{FoundSweep, SweepCase, sweep};
 use crate::compute::{Pace, Stop};
@@ -10,44 +13,68 @@ use crate::reply::method_name;
 use crate::warning::{Warning, gathered};
 
 /// The request as it stands and its variants, each by several methods.
-pub(crate) struct FoundComparison {
-    pub(crate) slips: Vec<Slip>,
-    pub(crate) variants: Vec<FoundVariant>,
-    pub(crate) warnings: Vec<Warning>,
+pub(super) struct FoundComparison {
+    pub(super) slips: Vec<Slip>,
+    pub(super) series: Vec<FoundSeries>,
+    /// By column: the highest of all series minus the lowest.
+    pub(super) spread: BTreeMap<&'static str, Spread>,
+    pub(super) warnings: Vec<Warning>,
 }
 
-/// Laws by several methods.
-pub(crate) struct FoundVariant {
-    /// The name; none of the request as it stands.
-    pub(crate) name: Option<String>,
-    /// Method and columns of each series.
-    pub(crate) series: Vec<(&'static str, PointColumns)>,
-    /// The quadrature with these laws, where it is not among the series.
-    pub(crate) quadrature_beside: Option<PointColumns>,
+/// What one method gives with the laws of one variant.
+pub(super) struct FoundSeries {
+    /// Name of the variant; none of the request as it stands.
+    pub(super) variant: Option<String>,
+    pub(super) method: &'static str,
+    pub(super) columns: PointColumns,
+    /// By column: the difference from the first series.
+    pub(super) difference: BTreeMap<&'static str, Difference>,
+    /// By column: the difference from the quadrature with the same laws, whether or not it was asked for.
+    pub(super) gap_to_quadrature: BTreeMap<&'static str, Difference>,
 }
 
 /// Every method and every variant over the slips.
 ///
 /// # Errors
 /// [`Stop`], where the work is to end.
-pub(crate) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pace) -> Result<FoundComparison, Stop> {
+pub(super) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pace) -> Result<FoundComparison, Stop> {
     // Only the columns of a sweep are kept: they are smaller than its points.
     let columns_of = |operation: Operation| {
         let FoundSweep { operation, sweep, warnings } = sweep(&SweepCase { operation, slips: slips.clone() }, pace)?;
         Ok::<_, Stop>((PointColumns::of(&sweep, &operation.system.wheel, false), warnings))
     };
     let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
-    let mut variants = Vec::new();
+    let mut series: Vec<FoundSeries> = Vec::new();
     for case @ Variation { variant, operations } in variations {
-        let mut series = Vec::new();
+        let mut found = Vec::new();
         for &operation in operations {
             let (columns, warnings) = columns_of(operation)?;
             let method = method_name(&operation.model.method);
             told.push((variant.as_ref().map_or_else(|| method.to_owned(), |variant| format!("{variant}, {method}")), warnings));
-            series.push((method, columns));
+            found.push((method, columns));
         }
-        let quadrature_beside = case.quadrature_beside().map(columns_of).transpose()?.map(|(columns, _)| columns);
-        variants.push(FoundVariant { name: variant.clone(), series, quadrature_beside });
+        let beside = case.quadrature_beside().map(columns_of).transpose()?.map(|(columns, _)| columns);
+        let among = found.iter().find(|(method, _)| *method == "quadrature").map(|(_, columns)| columns);
+        let quadrature = among.or(beside.as_ref());
+        let gap = |columns| quadrature.map(|quadrature| differences(columns, quadrature)).unwrap_or_default();
+        let gaps: Vec<_> = found.iter().map(|(_, columns)| gap(columns)).collect();
+        for ((method, columns), gap_to_quadrature) in found.into_iter().zip(gaps) {
+            let difference = differences(&columns, series.first().map_or(&columns, |first| &first.columns));
+            series.push(FoundSeries { variant: variant.clone(), method, columns, difference, gap_to_quadrature });
+        }
     }
-    Ok(FoundComparison { slips: slips.clone(), variants, warnings: gathered(told) })
+    Ok(FoundComparison { slips: slips.clone(), spread: spread(&series), series, warnings: gathered(told) })
+}
+
+/// The differences of columns from a reference, by name.
+fn differences(columns: &PointColumns, reference: &PointColumns) -> BTreeMap<&'static str, Difference> {
+    let pairs = columns.named().zip(reference.named()).skip(1); // the slip is the same
+    pairs.map(|((name, column), (_, reference))| (name, Difference::between(column, reference))).collect()
+}
+
+fn spread(series: &[FoundSeries]) -> BTreeMap<&'static str, Spread> {
+    let named: Vec<Vec<_>> = series.iter().map(|series| series.columns.named().collect()).collect();
+    let Some(first) = named.first() else { return BTreeMap::new() };
+    let of_all = |i: usize| named.iter().map(|columns| columns[i].1).collect::<Vec<_>>();
+    first.iter().enumerate().skip(1).map(|(i, (name, _))| (*name, Spread::of(&of_all(i)))).collect()
 }

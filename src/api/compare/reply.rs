@@ -7,7 +7,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::difference::{Difference, Spread};
-use super::found::{FoundComparison, FoundVariant};
+use super::found::{FoundComparison, FoundSeries};
 use crate::quantity::{PointColumns, Values};
 use crate::reply::Reply;
 use crate::warning::Warning;
@@ -40,35 +40,17 @@ struct Series {
     gap_to_quadrature: BTreeMap<&'static str, Difference>,
 }
 
-/// The differences of columns from a reference, by name.
-fn differences(columns: &PointColumns, reference: &PointColumns) -> BTreeMap<&'static str, Difference> {
-    let pairs = columns.named().zip(reference.named()).skip(1); // the slip is the same
-    pairs.map(|((name, column), (_, reference))| (name, Difference::between(column, reference))).collect()
-}
-
-impl From<FoundComparison> for CompareReply {
-    fn from(FoundComparison { slips, variants, warnings }: FoundComparison) -> Self {
-        let mut series: Vec<Series> = Vec::new();
-        for FoundVariant { name, series: found, quadrature_beside } in variants {
-            let among = found.iter().find(|(method, _)| *method == "quadrature").map(|(_, columns)| columns);
-            let quadrature = among.or(quadrature_beside.as_ref());
-            let gap = |columns| quadrature.map(|quadrature| differences(columns, quadrature)).unwrap_or_default();
-            let gaps: Vec<_> = found.iter().map(|(_, columns)| gap(columns)).collect();
-            for ((method, columns), gap_to_quadrature) in found.into_iter().zip(gaps) {
-                let difference = differences(&columns, series.first().map_or(&columns, |first| &first.columns));
-                series.push(Series { variant: name.clone(), method, columns, difference, gap_to_quadrature });
-            }
-        }
-        let slip = Values::Numbers(slips.iter().map(|slip| slip.ratio()).collect());
-        Self { slip, spread: spread(&series), series, warnings }
+impl From<FoundSeries> for Series {
+    fn from(FoundSeries { variant, method, columns, difference, gap_to_quadrature }: FoundSeries) -> Self {
+        Self { variant, method, columns, difference, gap_to_quadrature }
     }
 }
 
-fn spread(series: &[Series]) -> BTreeMap<&'static str, Spread> {
-    let named: Vec<Vec<_>> = series.iter().map(|series| series.columns.named().collect()).collect();
-    let Some(first) = named.first() else { return BTreeMap::new() };
-    let of_all = |i: usize| named.iter().map(|columns| columns[i].1).collect::<Vec<_>>();
-    first.iter().enumerate().skip(1).map(|(i, (name, _))| (*name, Spread::of(&of_all(i)))).collect()
+impl From<FoundComparison> for CompareReply {
+    fn from(FoundComparison { slips, series, spread, warnings }: FoundComparison) -> Self {
+        let slip = Values::Numbers(slips.iter().map(|slip| slip.ratio()).collect());
+        Self { slip, series: series.into_iter().map(Series::from).collect(), spread, warnings }
+    }
 }
 
 impl Reply for CompareReply {
