@@ -7,7 +7,7 @@ use terramechanics_identification::{
 use super::identify::implausible;
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::request::{PlatesCase, ShearTestsCase, name_of, plates_fault, shear_fault};
+use crate::request::{PlatesCase, ShearTestsCase, plates_fault, shear_fault};
 use crate::warning::{Finding, Warning};
 
 /// Bekker's law through the curves of plates.
@@ -63,9 +63,9 @@ pub(crate) fn shear(ShearTestsCase(curves): &ShearTestsCase, pace: &Pace) -> Res
 /// Warns of parameters that the data leave open or that lie at a bound.
 fn open(estimates: &[Estimate]) -> Vec<Warning> {
     let open = estimates.iter().filter(|estimate| !estimate.identifiability.is_determined());
-    let parameters: Vec<&str> = open.map(|estimate| name_of(estimate.unknown)).collect();
+    let parameters: Vec<&str> = open.map(|estimate| estimate.unknown.name()).collect();
     let open = (!parameters.is_empty()).then_some(Finding::NotIdentifiable { parameters });
     let at_bound = estimates.iter().filter(|estimate| estimate.at_bound.is_some());
-    let at_bound = at_bound.map(|estimate| Finding::AtBound { parameter: name_of(estimate.unknown), end: "lower", bound: 0.0 });
+    let at_bound = at_bound.map(|estimate| Finding::AtBound { parameter: estimate.unknown.name(), end: "lower", bound: 0.0 });
     open.into_iter().chain(at_bound).map(Warning::from).collect()
 }

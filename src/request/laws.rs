@@ -10,7 +10,7 @@ use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
 
 /// What may be sent for a parameter of the model, if something is.
 pub(super) const fn number(parameter: &Parameter) -> Number {
-    let number = Number::new(parameter.unit, parameter.least, parameter.most);
+    let number = Number::new(parameter.unit, parameter.least, parameter.most).symbol(parameter.symbol);
     if parameter.is_open_above() { number.open_above() } else { number }
 }
 
@@ -25,6 +25,11 @@ pub(super) const fn number_or_default(parameter: &Parameter) -> Number {
 /// The field of a parameter that may be absent from a request.
 pub(super) const fn field(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
     Field::new(parameter.name, meaning, number(parameter))
+}
+
+/// The same, which means what the model says of it.
+pub(super) const fn own_field(parameter: &Parameter) -> Field<Number> {
+    field(parameter, parameter.meaning)
 }
 
 /// The same, with the parameter's default.

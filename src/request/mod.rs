@@ -35,7 +35,7 @@ pub(crate) use coupled::CoupledCase;
 pub(crate) use curves::{PlatesCase, ShearTestsCase, plates_fault, shear_fault};
 pub(crate) use documented::*;
 pub(crate) use forces::ForcesCase;
-pub(crate) use identify::{FitCase, IdentifyCase, LinearCase, column_name, fit_fault, name_of, refusal_pointer};
+pub(crate) use identify::{FitCase, IdentifyCase, LinearCase, column_name, fit_fault, refusal_pointer};
 pub(crate) use refusal::{error_fault, error_pointer};
 pub(crate) use resistances::ResistancesCase;
 pub(crate) use series::Samples;

@@ -42,16 +42,17 @@ pub(crate) fn gaps(
 ) -> Vec<(DesignGap, Vec<Unknown>)> {
     use Unknown as U;
     let has = |unknown: U| sought.contains(&unknown);
-    let strength: Vec<U> = [U::Cohesion, U::FrictionAngle].into_iter().filter(|&unknown| has(unknown)).collect();
-    let moduli: Vec<U> = [U::SinkageModulus, U::CohesiveModulus, U::FrictionalModulus].into_iter().filter(|&u| has(u)).collect();
+    let strength: Vec<U> = [U::COHESION, U::FRICTION_ANGLE].into_iter().filter(|&unknown| has(unknown)).collect();
+    let moduli: Vec<U> =
+        [U::SINKAGE_MODULUS, U::COHESIVE_MODULUS, U::FRICTIONAL_MODULUS].into_iter().filter(|&u| has(u)).collect();
     let mut found = Vec::new();
     if is_one_slip(observations) {
         let mut together = Vec::new();
-        if has(U::ShearModulus) && !strength.is_empty() {
-            together.push(U::ShearModulus);
+        if has(U::SHEAR_MODULUS) && !strength.is_empty() {
+            together.push(U::SHEAR_MODULUS);
             together.extend(&strength);
         }
-        for pair in [[U::BaseExponent, U::SlipGain], [U::PeakIntercept, U::PeakSlipGain]] {
+        for pair in [[U::BASE_EXPONENT, U::SLIP_GAIN], [U::PEAK_INTERCEPT, U::PEAK_SLIP_GAIN]] {
             if pair.into_iter().all(has) {
                 together.extend(pair);
             }
@@ -63,15 +64,15 @@ pub(crate) fn gaps(
         if strength.len() == 2 {
             together.extend(&strength);
         }
-        if !moduli.is_empty() && has(U::BaseExponent) {
+        if !moduli.is_empty() && has(U::BASE_EXPONENT) {
             together.extend(&moduli);
-            together.push(U::BaseExponent);
+            together.push(U::BASE_EXPONENT);
         }
         found.push((DesignGap::OneLoad, together));
     }
     if fitted == [Quantity::Normal] {
         let mut together = strength;
-        together.extend([U::ShearModulus].into_iter().filter(|&unknown| has(unknown)));
+        together.extend([U::SHEAR_MODULUS].into_iter().filter(|&unknown| has(unknown)));
         found.push((DesignGap::NormalForceOnly, together));
     }
     let points = distinct_points(observations, predictions, sought.len());

@@ -54,4 +54,4 @@ pub use search::StopReason;
 pub use setup::{Setup, SinkageSource};
 pub use shear_curves::{MOST_CURVES, ShearCurve, ShearError, ShearFit, fit_shear_curves, fit_shear_curves_while};
 pub use student::quantile_95;
-pub use unknown::{Range, Unknown};
+pub use unknown::{Home, Range, Unknown};

@@ -16,6 +16,7 @@ use crate::reader::Defaulting;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number {
     unit: &'static str,
+    symbol: &'static str,
     min: f64,
     max: f64,
     /// Whether `max` itself is too large.
@@ -30,7 +31,7 @@ impl Number {
     /// one, such as `N/m^(n+1)`, is told as an annotation, in braces, which counts as 1 there.
     #[must_use]
     pub const fn new(unit: &'static str, min: f64, max: f64) -> Self {
-        Self { unit, min, max, open_above: false, whole: false, share: false, default: None }
+        Self { unit, symbol: "", min, max, open_above: false, whole: false, share: false, default: None }
     }
 
     /// Any number.
@@ -43,6 +44,12 @@ impl Number {
     #[must_use]
     pub const fn open_above(self) -> Self {
         Self { open_above: true, ..self }
+    }
+
+    /// With the symbol that it has in formulas, for the contract.
+    #[must_use]
+    pub const fn symbol(self, symbol: &'static str) -> Self {
+        Self { symbol, ..self }
     }
 
     /// Only whole numbers.
@@ -84,7 +91,8 @@ impl Number {
             std::cmp::Ordering::Greater => (self.max, self.open_above),
         };
         let unit = if self.unit == other.unit { self.unit } else { "" };
-        Self { min: self.min.min(other.min), max, open_above, unit, ..self }
+        let symbol = if self.symbol == other.symbol { self.symbol } else { "" };
+        Self { min: self.min.min(other.min), max, open_above, unit, symbol, ..self }
     }
 
     /// Whether the value is within the bounds.
@@ -144,12 +152,14 @@ impl Number {
     /// The schema, with or without a meaning.
     pub(crate) fn described(&self, meaning: Option<&str>) -> ObjectBuilder {
         let finite = |bound: f64| Some(bound).filter(|bound| bound.is_finite());
-        let unit = self.ucum();
+        let symbol = Some(self.symbol).filter(|symbol| !symbol.is_empty()).map(|symbol| ("x-symbol", symbol.to_owned()));
+        let unit = self.ucum().map(|unit| ("x-unit", unit.into_owned()));
+        let extensions: Vec<_> = unit.into_iter().chain(symbol).collect();
         let object = ObjectBuilder::new()
             .description(meaning)
             .minimum(finite(self.min))
             .default(self.default.map(|value| if self.whole { (value as i64).into() } else { value.into() }))
-            .extensions(unit.map(|unit| Extensions::from_iter([("x-unit", unit.into_owned())])));
+            .extensions((!extensions.is_empty()).then(|| Extensions::from_iter(extensions)));
         let object = match self.open_above {
             true => object.exclusive_maximum(finite(self.max)),
             false => object.maximum(finite(self.max)),

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use terramechanics_identification::Estimate;
+use terramechanics_identification::{Estimate, Unknown};
 use utoipa::ToSchema;
 
 use self::columns::{IdentifyColumns, columns};
@@ -15,7 +15,7 @@ use super::Reply;
 use super::forces::method_name;
 use super::soil::{self, Spelled};
 use crate::found::{FoundFit, FoundLine, FoundParameters};
-use crate::request::{ContactObject, SoilObject, column_name, name_of};
+use crate::request::{ContactObject, SoilObject, column_name};
 use crate::warning::Warning;
 
 /// What measurements tell of the parameters, and what they do not.
@@ -93,7 +93,8 @@ impl From<FoundParameters> for IdentifyReply {
 
 impl From<FoundFit> for IdentifyReply {
     fn from(FoundFit { setup, observations, fit, warnings }: FoundFit) -> Self {
-        let direction = |direction: &Vec<_>| direction.iter().map(|&(unknown, share)| (name_of(unknown), share)).collect();
+        let direction =
+            |direction: &Vec<(Unknown, f64)>| direction.iter().map(|&(unknown, share)| (unknown.name(), share)).collect();
         Self {
             estimator: "nonlinear",
             method: method_name(&setup.model.method),
@@ -152,7 +153,7 @@ impl From<&Estimate> for EstimateReply {
     fn from(estimate: &Estimate) -> Self {
         let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
         Self {
-            parameter: name_of(estimate.unknown),
+            parameter: estimate.unknown.name(),
             value: estimate.value,
             standard_error: finite(estimate.standard_error),
             interval_95: estimate.interval.filter(|interval| interval.iter().all(|end| end.is_finite())),

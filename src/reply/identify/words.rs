@@ -2,11 +2,10 @@
 
 use terramechanics_identification::{Bound, Estimate, Identifiability, StopReason, Unknown};
 
-use crate::request::name_of;
 use crate::warning::{gap_in_words, number};
 
 fn list(unknowns: &[Unknown]) -> String {
-    unknowns.iter().map(|&unknown| name_of(unknown)).collect::<Vec<_>>().join(", ")
+    unknowns.iter().map(|&unknown| unknown.name()).collect::<Vec<_>>().join(", ")
 }
 
 pub(super) fn stop_reason(stop: StopReason) -> &'static str {
