@@ -10,7 +10,7 @@ use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
 
 /// What may be sent for a parameter of the model, if something is.
 pub(super) const fn number(parameter: &Parameter) -> Number {
-    let number = Number::new(parameter.unit, parameter.least, parameter.most).symbol(parameter.symbol);
+    let number = Number::new(parameter.unit, parameter.least, parameter.most);
     if parameter.is_open_above() { number.open_above() } else { number }
 }
 
@@ -29,7 +29,7 @@ pub(super) const fn field(parameter: &Parameter, meaning: &'static str) -> Field
 
 /// The same, which means what the model says of it.
 pub(super) const fn own_field(parameter: &Parameter) -> Field<Number> {
-    field(parameter, parameter.meaning)
+    Field::new(parameter.name, parameter.meaning, number(parameter).symbol(parameter.symbol))
 }
 
 /// The same, with the parameter's default.
@@ -44,10 +44,8 @@ fn kept(text: String) -> &'static str {
 
 /// The field of a parameter as the model declares it.
 fn declared(parameter: &'static Parameter) -> Field<Number> {
-    let Parameter { name, symbol, unit, meaning, .. } = *parameter;
-    let unit = if unit == "1" { "–" } else { unit };
-    let meaning = kept(format!("{symbol} ({unit}): {meaning}"));
-    Field { name, meaning, kind: number_or_default(parameter), required: parameter.is_required() }
+    let kind = number_or_default(parameter).symbol(parameter.symbol);
+    Field { kind, required: parameter.is_required(), ..own_field(parameter) }
 }
 
 /// The forms of a family, whose laws have these parameters in a request.

@@ -4,11 +4,12 @@ use std::borrow::Cow;
 use std::fmt;
 
 use utoipa::openapi::extensions::Extensions;
+use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, SchemaType, Type};
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::{Figures, Scope};
-use crate::field::{Kind, wrong_type};
+use crate::field::{Kind, parameter, wrong_type};
 use crate::node::Node;
 use crate::reader::Defaulting;
 
@@ -46,7 +47,7 @@ impl Number {
         Self { open_above: true, ..self }
     }
 
-    /// With the symbol that it has in formulas, for the contract.
+    /// With the symbol that it has in formulas, which the contract sets before its meaning.
     #[must_use]
     pub const fn symbol(self, symbol: &'static str) -> Self {
         Self { symbol, ..self }
@@ -91,8 +92,7 @@ impl Number {
             std::cmp::Ordering::Greater => (self.max, self.open_above),
         };
         let unit = if self.unit == other.unit { self.unit } else { "" };
-        let symbol = if self.symbol == other.symbol { self.symbol } else { "" };
-        Self { min: self.min.min(other.min), max, open_above, unit, symbol, ..self }
+        Self { min: self.min.min(other.min), max, open_above, unit, ..self }
     }
 
     /// Whether the value is within the bounds.
@@ -149,17 +149,24 @@ impl Number {
         }
     }
 
+    /// The meaning, behind symbol and unit where it has a symbol.
+    pub(crate) fn told<'a>(&self, meaning: &'a str) -> Cow<'a, str> {
+        match (self.symbol, self.unit) {
+            ("", _) => Cow::Borrowed(meaning),
+            (symbol, "1") => Cow::Owned(format!("{symbol} (–): {meaning}")),
+            (symbol, unit) => Cow::Owned(format!("{symbol} ({unit}): {meaning}")),
+        }
+    }
+
     /// The schema, with or without a meaning.
     pub(crate) fn described(&self, meaning: Option<&str>) -> ObjectBuilder {
         let finite = |bound: f64| Some(bound).filter(|bound| bound.is_finite());
-        let symbol = Some(self.symbol).filter(|symbol| !symbol.is_empty()).map(|symbol| ("x-symbol", symbol.to_owned()));
-        let unit = self.ucum().map(|unit| ("x-unit", unit.into_owned()));
-        let extensions: Vec<_> = unit.into_iter().chain(symbol).collect();
+        let unit = self.ucum();
         let object = ObjectBuilder::new()
             .description(meaning)
             .minimum(finite(self.min))
             .default(self.default.map(|value| if self.whole { (value as i64).into() } else { value.into() }))
-            .extensions((!extensions.is_empty()).then(|| Extensions::from_iter(extensions)));
+            .extensions(unit.map(|unit| Extensions::from_iter([("x-unit", unit.into_owned())])));
         let object = match self.open_above {
             true => object.exclusive_maximum(finite(self.max)),
             false => object.maximum(finite(self.max)),
@@ -215,7 +222,11 @@ impl Kind for Number {
     }
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
-        self.described(Some(meaning)).into()
+        self.described(Some(&self.told(meaning))).into()
+    }
+
+    fn parameters(&self, name: &str, meaning: &str, _: bool, found: &mut Vec<Parameter>) {
+        found.push(parameter(name, &self.told(meaning), self.schema(meaning)));
     }
 }
 
