@@ -161,6 +161,54 @@ fn an_unknown_entry_is_a_404_with_the_nearest_name() {
     }
 }
 
+/// The contract and `/v1/model` say the same of a law.
+#[test]
+fn the_model_lists_the_laws_as_the_contract_has_them() {
+    let (model, contract) = (get("/v1/model").ok(), get("/openapi.json").ok());
+    let families = model["laws"].as_array().expect("families");
+    for (pointer, tag, suffix) in
+        [("/soil/pressure_sinkage", "law", "Law"), ("/contact", "rule", "Contact"), ("/slip_sinkage", "law", "SlipSinkage")]
+    {
+        let family = families.iter().find(|family| family["pointer"] == pointer).expect("the family");
+        assert_eq!(family["tag"], tag);
+        for law in family["laws"].as_array().expect("laws") {
+            let name = law["name"].as_str().expect("a name");
+            let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+            let form = name.split('_').map(capital).collect::<String>() + suffix;
+            let form = &contract["components"]["schemas"][&form];
+            let properties = form["properties"].as_object().unwrap_or_else(|| panic!("the form of {name}"));
+            let parameters = law["parameters"].as_array().expect("parameters");
+            assert_eq!(properties.len(), parameters.len() + 1, "{name} and its tag");
+            for parameter in parameters {
+                let own = parameter["name"].as_str().expect("a name");
+                assert_eq!(parameter["pointer"], format!("{pointer}/{own}"));
+                let property = &properties[own];
+                for (ours, theirs) in [
+                    ("minimum", "minimum"),
+                    ("maximum", "maximum"),
+                    ("exclusive_maximum", "exclusiveMaximum"),
+                    ("default", "default"),
+                ] {
+                    assert_eq!(parameter[ours], property[theirs], "{ours} of {own} in {name}");
+                }
+                let meaning = parameter["meaning"].as_str().expect("a meaning");
+                assert!(property["description"].as_str().is_some_and(|text| text.ends_with(meaning)), "{own} in {name}");
+                let is_required = form["required"].as_array().is_some_and(|names| names.contains(&parameter["name"]));
+                assert_eq!(parameter["required"], is_required, "{own} in {name}");
+            }
+        }
+    }
+    let fit = contract["components"]["schemas"]["FitStart"]["properties"].as_object().expect("starts");
+    let laws = families.iter().flat_map(|family| family["laws"].as_array().expect("laws"));
+    let of_laws = laws.flat_map(|law| law["parameters"].as_array().expect("parameters"));
+    let all = of_laws.chain(model["parameters"].as_array().expect("parameters"));
+    let fittable: std::collections::BTreeSet<&str> =
+        all.filter(|parameter| parameter["fittable"] == true).filter_map(|parameter| parameter["name"].as_str()).collect();
+    // The others are those of a method and of an operating point.
+    assert_eq!(fit.keys().filter(|name| !fittable.contains(name.as_str())).count(), 3, "{fittable:?}");
+    assert!(fittable.iter().all(|name| fit.contains_key(*name)), "{fittable:?}");
+}
+
 #[test]
 fn the_model_lists_all_errata() {
     let model = get("/v1/model").ok();
