@@ -189,7 +189,7 @@ fn the_model_lists_the_laws_as_the_contract_has_them() {
                     ("exclusive_maximum", "exclusiveMaximum"),
                     ("default", "default"),
                 ] {
-                    assert_eq!(parameter[ours], property[theirs], "{ours} of {own} in {name}");
+                    assert_eq!(parameter[ours].as_f64(), property[theirs].as_f64(), "{ours} of {own} in {name}");
                 }
                 let meaning = parameter["meaning"].as_str().expect("a meaning");
                 assert!(property["description"].as_str().is_some_and(|text| text.ends_with(meaning)), "{own} in {name}");
