@@ -1,6 +1,8 @@
 //! `GET /v1/model`: the equations as implemented, and where they depart from the letter as printed.
 
 mod laws;
+#[cfg(test)]
+mod percentages;
 
 use std::sync::LazyLock;
 

@@ -43,8 +43,8 @@ pub use finding::{Bound, Estimate, Identifiability};
 pub use fit::{Fit, FitOptions, MOST_STARTS, fit, fit_while};
 pub use fitted_column::FittedColumn;
 pub use linear::{
-    LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint, fit_line,
-    fit_line_while, linear_strength,
+    LEAST_MOBILISATION, LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint,
+    fit_line, fit_line_while, linear_strength,
 };
 pub use loss::Loss;
 pub use observations::{Column, MOST_SAMPLES, Observations, Quantity};
