@@ -4,9 +4,11 @@
 //! no more than the assumed shape of the stresses, which the model has wrong by far more. The derivatives alone do not show
 //! that, since on the model's own terms they may still be independent.
 
+use terramechanics::{Parametrised, SinkageExponent};
+
 use crate::observations::{Observations, Quantity};
 use crate::setup::Prediction;
-use crate::unknown::Unknown;
+use crate::unknown::{Home, Unknown};
 
 /// What the operating points do not vary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,8 +45,10 @@ pub(crate) fn gaps(
     use Unknown as U;
     let has = |unknown: U| sought.contains(&unknown);
     let strength: Vec<U> = [U::COHESION, U::FRICTION_ANGLE].into_iter().filter(|&unknown| has(unknown)).collect();
-    let moduli: Vec<U> =
-        [U::SINKAGE_MODULUS, U::COHESIVE_MODULUS, U::FRICTIONAL_MODULUS].into_iter().filter(|&u| has(u)).collect();
+    // What a pressure–sinkage law has besides its exponent.
+    let is_of_exponent = |unknown: U| SinkageExponent::PARAMETERS.contains(unknown.parameter());
+    let moduli = U::ALL.into_iter().filter(|&unknown| unknown.home() == Home::PressureSinkage && !is_of_exponent(unknown));
+    let moduli: Vec<U> = moduli.filter(|&unknown| has(unknown)).collect();
     let mut found = Vec::new();
     if is_one_slip(observations) {
         let mut together = Vec::new();
