@@ -10,9 +10,13 @@
 //! in one call for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips. A
 //! wheel that moves at an angle to its plane has a [`SideSlip`] in its [`Method`], and a [`SideForce`] in its forces.
 //!
+//! A load that is known beside the sinkage takes the place of the sinkage modulus: [`Sinkage::UnderLoad`] and
+//! [`ForceModel::forces_under`]. A wheel with lugs has three circles, and [`Circles`] say on which of them displacement and slip are
+//! counted.
+//!
 //! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
-//! [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical estimates for a load, and a
-//! [`Tracker`] follows a wheel over time, one [`Sample`] after another.
+//! [`Coupled`] finds torque and pull from a load that is measured, [`pull_from_torque`] the pull from load and torque without a soil,
+//! [`Resistances`] are the classical estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 //!
 //! A soil may lack a law: what needs it says so by [`Error::MissingLaw`].
 

@@ -87,8 +87,8 @@ kinds! {
     SLIP_SINKAGE_EXTRAPOLATED = CautionKind {
         code: "slip_sinkage_extrapolated",
         meaning: "The slip–sinkage law was fitted to driving wheels and is applied to a braking one. It lets that rise where \
-                  measured wheels sink: one with lugs to 1.6 times the static sinkage at a slip of −0.5 and 3.3 times when locked \
-                  (Pavlov & Johnson 2024).",
+                  measured wheels sink: to 1.6 times the static sinkage at a slip of −0.5 and 3.3 times when locked, on the mean of \
+                  two wheels (Pavlov & Johnson 2024).",
         advice: "Give the sinkage itself or the load instead of a static sinkage, or the linear law with a skid gain.",
         parameter: Some(&WheelOnSoil::STATIC_SINKAGE),
         range: Some(TestedRange {

@@ -2,8 +2,8 @@
 //! z = z0 (1 + S s), and z0 (1 − S_b s) at s < 0 where a gain with skid is given.
 //!
 //! Units: S and S_b have none. Validity: none was published; the gains are the user's own. Without S_b the law is applied at s < 0 as
-//! written, where it lets the wheel rise. Measured wheels sink: one with lugs in dry sand (Pavlov & Johnson 2024, source 25) went to
-//! 1.6 times the static sinkage at a slip of −0.5 and 3.3 times on the locked wheel, which S_b = 1.2 and 2.3 give.
+//! written, where it lets the wheel rise. Measured wheels sink: the two of Pavlov & Johnson 2024 (source 25) went on the mean to 1.6 times
+//! the static sinkage at a slip of −0.5 and to 3.3 times when locked, which S_b = 1.2 and 2.3 give.
 
 use crate::caution::{Caution, LINEAR_SLIP_SINKAGE_EXTRAPOLATED, SLIP_BEYOND_LINEAR};
 use crate::law::Declared;

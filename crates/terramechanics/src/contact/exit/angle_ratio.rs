@@ -1,13 +1,12 @@
-//! Where does the rim leave the soil, by the entry angle? At a share of it: θ2 = c3 θ1 (Wong & Reece 1967, source 22; Ishigami et
-//! al. 2007, source 24).
+//! Where does the rim leave the soil, by the entry angle? At a share of it: θ2 = c3 θ1, as Ding et al. 2015 (source 4) have it.
 //!
 //! Units: c3 has none. Validity: c3 ≤ 0 behind the lowest point, where the soil rebounds; measured values are small. Lugs carry
 //! soil along, so that it stands higher behind the wheel than ahead of it: −1.2 covers the ratios of sinkage that were published
-//! (see [`SinkageRatio`](super::SinkageRatio)). No departures.
+//! (see [`SinkageRatio`](super::SinkageRatio)). No departures; the paper was not read.
 
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
-use crate::sources::{Citation, WONG_REECE};
+use crate::sources::{Citation, DING_2015};
 
 /// An exit at a share of the entry angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,5 +55,5 @@ impl Declared for AngleRatio {
     const NAME: &'static str = "angle_ratio";
     const DOC: &'static str = "The exit angle is a share of the entry angle.";
     const FORMULA: &'static str = "θ2 = c3 θ1";
-    const SOURCES: &'static [Citation] = &[WONG_REECE.cited()];
+    const SOURCES: &'static [Citation] = &[DING_2015.cited()];
 }

@@ -3,7 +3,7 @@
 //!
 //! Units: η has none. Validity: 0, where the soil does not rebound, to 1.2; 0.9 to 1.2 were published for wheels whose lugs carry
 //! soil to the rear. At η = 1 both sides of the lowest point are alike. Unlike a share of the entry angle, the ratio does not
-//! change with the sinkage. The paper was read in quotations alone. No departures.
+//! change with the sinkage. No departures; the paper was not read.
 
 use crate::contact::angle_at_depth;
 use crate::law::Declared;
