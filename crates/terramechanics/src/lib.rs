@@ -15,7 +15,7 @@
 //! counted.
 //!
 //! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
-//! [`Coupled`] finds torque and pull from a load that is measured, [`pull_from_torque`] the pull from load and torque without a soil,
+//! [`Coupled`] finds torque and pull from a load that is measured, [`pull_from_torque()`] the pull from load and torque without a soil,
 //! [`Resistances`] are the classical estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 //!
 //! A soil may lack a law: what needs it says so by [`Error::MissingLaw`].
