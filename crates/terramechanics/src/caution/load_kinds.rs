@@ -6,7 +6,7 @@ use crate::rolling::WheelOnSoil;
 /// Residual of the load balance over the load above which a result says so; a thousand times more is refused.
 const LARGEST_LOAD_RESIDUAL: f64 = 1e-9;
 
-/// Change of the normal force with slip beyond which a result says so: a tenth, about what a load cell of a rover can tell.
+/// Change of the normal force with slip beyond which a result says so; a choice.
 const LARGEST_DRIFT: f64 = 0.1;
 
 kinds! {
