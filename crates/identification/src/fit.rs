@@ -41,7 +41,7 @@ const SAME_COST: f64 = 1e-6;
 ///         unit_weight: None,
 ///         lateral_shear_modulus: None,
 ///     },
-///     contact: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 },
+///     contact: ContactParams { rule: PeakRule::Midpoint, ..ContactParams::MIDPOINT },
 ///     model: ForceModel::at_rim(Method::Quadrature),
 ///     sinkage: SinkageSource::Measured,
 /// };

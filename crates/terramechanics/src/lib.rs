@@ -10,9 +10,13 @@
 //! in one call for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips. A
 //! wheel that moves at an angle to its plane has a [`SideSlip`] in its [`Method`], and a [`SideForce`] in its forces.
 //!
+//! A load that is known beside the sinkage takes the place of the sinkage modulus: [`Sinkage::UnderLoad`] and
+//! [`ForceModel::forces_under`]. A wheel with lugs has three circles, and [`Circles`] say on which of them displacement and slip are
+//! counted.
+//!
 //! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
-//! [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical estimates for a load, and a
-//! [`Tracker`] follows a wheel over time, one [`Sample`] after another.
+//! [`Coupled`] finds torque and pull from a load that is measured, [`pull_from_torque()`] the pull from load and torque without a soil,
+//! [`Resistances`] are the classical estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 //!
 //! A soil may lack a law: what needs it says so by [`Error::MissingLaw`].
 
@@ -21,6 +25,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 mod braking;
 mod caution;
+mod circles;
 mod contact;
 mod coupled;
 mod errata;
@@ -29,6 +34,7 @@ mod events;
 mod fault;
 mod fittable;
 mod forces;
+mod known_load;
 mod lateral;
 mod law;
 mod load;
@@ -39,6 +45,7 @@ mod parameter;
 mod patch;
 mod pressure_sinkage;
 mod profile;
+mod pull_from_torque;
 mod resistances;
 mod reversals;
 mod rim;
@@ -57,7 +64,10 @@ mod zones;
 
 pub use braking::*;
 pub use caution::{Caution, CautionKind, TestedRange};
-pub use contact::*;
+pub use circles::{Circles, ShearDisplacementRadius, SlipRadius};
+pub use contact::{
+    AngleRatio, Angles, Contact, ContactParams, ExitRule, HalfSinkage, Interface, Midpoint, PeakRule, SinkageRatio, WongReece,
+};
 pub use coupled::{Coupled, CoupledForces};
 pub use errata::{ERRATA, Erratum};
 pub use error::{Error, SoilLaw};
@@ -65,15 +75,17 @@ pub use events::{Event, EventKind, Thresholds};
 pub use fault::{Fault, InvalidInput, MissingParameters};
 pub use fittable::{Fittable, Step, Tolerance};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
+pub use known_load::LoadedForces;
 pub use lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SlipAngle};
 pub use law::{Declared, Law};
 pub use load::CarriedLoad;
-pub use operation::{OperatingPoint, Operation, Sinkage};
+pub use operation::{KnownSinkage, NormalStressFrom, OperatingPoint, Operation, Sinkage};
 pub use outcome::{Outcome, cautions, system_cautions};
 pub use parameter::{Parameter, Parametrised, Presence, Requirement};
 pub use patch::ContactPatch;
 pub use pressure_sinkage::*;
 pub use profile::StressProfile;
+pub use pull_from_torque::{pull_from_torque, torque_against_slip};
 pub use resistances::{Lacking, Resistances};
 pub use rolling::{Rolling, WheelOnSoil};
 pub use shear::*;

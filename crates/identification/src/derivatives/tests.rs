@@ -23,7 +23,7 @@ fn setup(method: Method) -> Setup {
             unit_weight: None,
             lateral_shear_modulus: None,
         },
-        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), exit_ratio: 0.0 },
+        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), ..ContactParams::MIDPOINT },
         model: ForceModel::at_rim(method),
         sinkage: SinkageSource::Load,
     }

@@ -119,7 +119,7 @@ impl<'a> Draw<'a> {
                 unit_weight: None,
                 lateral_shear_modulus: None,
             },
-            contact: ContactParams { rule, exit_ratio: 0.0 },
+            contact: ContactParams { rule, ..ContactParams::MIDPOINT },
             model: ForceModel::at_rim(method),
             sinkage,
         }
