@@ -18,7 +18,9 @@ static ALLOCATOR: tikv_jemallocator::Jemalloc = tikv_jemallocator::Jemalloc;
 fn main() -> ExitCode {
     let config = Config::parse();
     let result = match config.command {
-        Some(Command::Openapi) => std::io::stdout().write_all(contract().pretty_text().as_bytes()).map_err(|error| error.to_string()),
+        Some(Command::Openapi) => {
+            std::io::stdout().write_all(contract().pretty_text().as_bytes()).map_err(|error| error.to_string())
+        }
         Some(Command::Healthcheck { listen, timeout }) => healthcheck(listen, Duration::from_secs(timeout)),
         None => check_environment(std::env::vars_os().filter_map(|(name, _)| name.into_string().ok()))
             .and_then(|()| run(&config.serve)),

@@ -10,8 +10,11 @@ use super::preset::Preset;
 use super::{Described, Shape};
 use crate::catalogue::{self, SoilRecord};
 
-const PRESET: Field<Lookup<&'static SoilRecord>> =
-    Field::new("preset", "A soil of the catalogue, see /v1/soils.", Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil });
+const PRESET: Field<Lookup<&'static SoilRecord>> = Field::new(
+    "preset",
+    "A soil of the catalogue, see /v1/soils.",
+    Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil },
+);
 pub(super) const COHESION: Field<Number> = field(&Soil::COHESION, "Cohesion c (Pa).");
 pub(super) const FRICTION_ANGLE: Field<Number> = field(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).");
 pub(super) const SHEAR_MODULUS: Field<Number> =
@@ -115,12 +118,13 @@ pub(super) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         pressure_sinkage,
         unit_weight: unit_weight?,
         lateral_shear_modulus: lateral_shear_modulus?,
+        gravity: preset.entry.and_then(SoilRecord::gravity),
+        ..SoilParams::BARE
     };
     if !preset.is_sound {
         return None;
     }
     let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
-    let soil = preset.entry.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
     let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
     Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })

@@ -69,7 +69,9 @@ fn what_operations_share_stands_once() {
     let document = document();
     let mut failures = BTreeSet::new();
     let mut parameters = BTreeSet::new();
-    for operation in document["paths"].as_object().expect("paths").values().flat_map(|item| item.as_object().expect("methods").values()) {
+    for operation in
+        document["paths"].as_object().expect("paths").values().flat_map(|item| item.as_object().expect("methods").values())
+    {
         for (status, response) in operation["responses"].as_object().expect("responses") {
             assert!(status == "200" || response["$ref"].is_string() || failures.insert(response.to_string()), "{response}");
         }

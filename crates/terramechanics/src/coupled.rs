@@ -73,8 +73,7 @@ impl Coupled {
     ///         friction_angle: 0.478,
     ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
     ///         pressure_sinkage: None, // it cancels
-    ///         unit_weight: None,
-    ///         lateral_shear_modulus: None,
+    ///         ..SoilParams::BARE
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };

@@ -2,7 +2,8 @@
 
 use crate::caution::{
     BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, Caution, DEEP_SINKAGE, INTEGRATION_ERROR, LOAD_RESIDUAL, LOW_GRAVITY,
-    LUG_HEIGHT_ASSUMED, PEAK_RULE_SET_ASIDE, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
+    LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, PEAK_RULE_SET_ASIDE, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT,
+    SLIP_GAIN_EXTRAPOLATED,
 };
 use crate::forces::Method;
 use crate::lateral::Bulldozing;
@@ -47,11 +48,15 @@ pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + 
 
 /// The cautions that apply where the pressure–sinkage law is used.
 pub(crate) fn pressure_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
-    let [first, second] = match system.soil.pressure_sinkage() {
-        Some(law) => law.cautions(&system.plate()),
-        None => [None, None],
+    let law = system.soil.pressure_sinkage();
+    let [first, second] = law.map_or([None, None], |law| law.cautions(&system.plate()));
+    let elsewhere = match law {
+        Some(PressureSinkage::Bekker(_) | PressureSinkage::Direct(_) | PressureSinkage::Diameter(_)) => {
+            MODULI_OF_OTHER_GRAVITY.when(system.soil.has_left_its_gravity())
+        }
+        Some(PressureSinkage::Reece(_)) | None => None,
     };
-    [first, second].into_iter().flatten()
+    [first, second, elsewhere].into_iter().flatten()
 }
 
 /// The cautions that apply to the force across a wheel.

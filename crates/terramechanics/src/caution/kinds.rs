@@ -1,6 +1,7 @@
 //! What is watched: each kind with the range in which its model was tested, who found the range, and what to do beyond it.
 
 use super::{CautionKind, TestedRange};
+use crate::gravity::STANDARD_GRAVITY;
 use crate::pressure_sinkage::{Bekker, SinkageExponent};
 use crate::rolling::WheelOnSoil;
 use crate::soil::Soil;
@@ -21,9 +22,6 @@ const SMALLEST_WIDTH_RATIO: f64 = 2.0;
 
 /// Sinkage over diameter (–) up to which Bekker's estimates were found good (Wong, Theory of Ground Vehicles, ch. 2).
 const MODERATE_DEPTH: f64 = 1.0 / 6.0;
-
-/// Gravity (m/s²) of the tests, the standard acceleration (3rd General Conference on Weights and Measures, 1901).
-const EARTH_GRAVITY: f64 = 9.80665;
 
 /// Estimate of the relative integration error above which a result says so.
 const LARGEST_INTEGRATION_ERROR: f64 = 1e-9;
@@ -193,14 +191,23 @@ kinds! {
         meaning: "The laws of pressure and shear were tested in the Earth's gravity. How sinkage changes in a lower gravity \
                   is an open question.",
         advice: "Allow a margin on the sinkage.",
-        parameter: None,
+        parameter: Some(&Soil::GRAVITY),
         range: Some(TestedRange {
             quantity: "gravity",
             unit: "m/s2",
-            lower: Some(EARTH_GRAVITY),
+            lower: Some(STANDARD_GRAVITY),
             upper: None,
             source: "Kobayashi et al. 2010, Wong 2012",
         }),
+    };
+    MODULI_OF_OTHER_GRAVITY = CautionKind {
+        code: "moduli_of_other_gravity",
+        meaning: "Bekker's moduli are those of the gravity in which they were measured, and this soil is taken to another one. \
+                  Its weights follow gravity, its moduli do not.",
+        advice: "Use moduli measured in this gravity, Reece's law, or the method `resistive_force`, whose stiffness follows \
+                 gravity.",
+        parameter: Some(&Soil::GRAVITY),
+        range: None,
     };
     LUG_HEIGHT_ASSUMED = CautionKind {
         code: "lug_height_assumed",

@@ -68,8 +68,7 @@ impl ForceModel {
     ///             k_phi: 754_130.0,
     ///             exponent: SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None },
     ///         })),
-    ///         unit_weight: None,
-    ///         lateral_shear_modulus: None,
+    ///         ..SoilParams::BARE
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };

@@ -75,8 +75,7 @@ impl Tracker {
     /// #         friction_angle: 0.478,
     /// #         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
     /// #         pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent })),
-    /// #         unit_weight: None,
-    /// #         lateral_shear_modulus: None,
+    /// #         ..SoilParams::BARE
     /// #     })?,
     /// #     contact: Contact::MIDPOINT,
     /// # };
