@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use terramechanics::{Contact, ContactParams, PeakRule, PressureSinkage, ShearLaw};
+use terramechanics::{AngleRatio, Contact, ContactParams, ExitRule, PeakRule, PressureSinkage, ShearLaw};
 use utoipa::ToSchema;
 
 /// How well a value is founded, best first.
@@ -156,7 +156,8 @@ impl SoilRecord {
         let record = self.contact.as_ref()?;
         let number = |name: &str| record.values.get(name).map(|value| value.value);
         let rule = PeakRule::named(&record.rule)?.from_named(number).ok()?;
-        Contact::new(ContactParams { rule, exit_ratio: number("c3").or(Contact::EXIT_RATIO.default())? }).ok()
+        let exit = ExitRule::AngleRatio(AngleRatio { c3: number("c3").or(AngleRatio::C3.default())? });
+        Contact::new(ContactParams { rule, exit, ..ContactParams::MIDPOINT }).ok()
     }
 
     /// Required parameters of the pressure–sinkage law that are not known.

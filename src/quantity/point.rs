@@ -1,6 +1,6 @@
 //! Quantities of an operating point: how `/v1/forces` and every sweep have them.
 
-use terramechanics::{Forces, Motion, OperatingPoint, SideForce, Slip, SlipSweep, Wheel};
+use terramechanics::{Forces, Motion, OperatingPoint, SideForce, Slip, SlipRadius, SlipSweep, Wheel};
 
 use super::columns::{Columns, Shape, Values};
 use super::schema::Field;
@@ -79,7 +79,7 @@ impl<'a> Point<'a> {
     /// None at rest, where it is 0/0.
     pub(super) fn tractive_efficiency(&self) -> Option<f64> {
         let Motion { slip, heading, at_rest } = self.motion;
-        if at_rest { None } else { self.forces.tractive_efficiency(self.wheel, slip, heading) }
+        if at_rest { None } else { self.forces.tractive_efficiency(self.wheel, SlipRadius::Rim, slip, heading) }
     }
 }
 

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use terramechanics::{
-    Contact, ContactParams, Declared, JanosiHanamoto, Law, Parameter, PeakRule, PressureSinkage, ShearLaw, SlipSinkage,
+    AngleRatio, ContactParams, Declared, ExitRule, JanosiHanamoto, Law, Parameter, PeakRule, PressureSinkage, ShearLaw,
+    SlipSinkage,
 };
 use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
 
@@ -133,14 +134,15 @@ pub(super) const CONTACT: Tagged = Tagged {
     suffix: "Contact",
     variants: || {
         static VARIANTS: LazyLock<Vec<Variant>> =
-            LazyLock::new(|| variants(PeakRule::LAWS, |rule| rule.parameters.iter().chain([&Contact::EXIT_RATIO]).collect()));
+            LazyLock::new(|| variants(PeakRule::LAWS, |rule| rule.parameters.iter().chain([&AngleRatio::C3]).collect()));
         &VARIANTS
     },
 };
 
 pub(super) fn contact(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
-    let (exit_ratio, values) = values.split_last()?;
-    Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit_ratio: (*exit_ratio)? })
+    let (c3, values) = values.split_last()?;
+    let exit = ExitRule::AngleRatio(AngleRatio { c3: (*c3)? });
+    Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit, ..ContactParams::MIDPOINT })
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         },
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
-        Error::PeakOutsideContact { .. } => "/contact",
+        Error::PeakOutsideContact { .. } | Error::InterfaceBeyondSoil { .. } => "/contact",
         Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
         Error::LoadNotCoupled { .. } => "/slip",
         Error::LoadBeyondCapacity { .. }

@@ -164,6 +164,6 @@ fn an_unknown_entry_is_a_404_with_the_nearest_name() {
 #[test]
 fn the_model_lists_all_errata() {
     let model = get("/v1/model").ok();
-    assert_eq!(model["errata"].as_array().expect("errata").len(), 12);
+    assert_eq!(model["errata"].as_array().expect("errata").len(), 13);
     assert!(model["equations"].as_array().expect("equations").len() >= 18);
 }

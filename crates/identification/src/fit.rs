@@ -109,7 +109,7 @@ const SAME_COST: f64 = 1e-6;
 ///         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 747_530.0, exponent })),
 ///         ..SoilParams::BARE
 ///     },
-///     contact: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 },
+///     contact: ContactParams { rule: PeakRule::Midpoint, ..ContactParams::MIDPOINT },
 ///     model: ForceModel::at_rim(Method::Quadrature),
 ///     sinkage: SinkageSource::Measured,
 /// };

@@ -111,16 +111,16 @@ impl Coupled {
     }
 
     fn torque_from_load(&self, patch: &ContactPatch<'_>, normal_radius: f64) -> Result<f64, Error> {
-        let Rolling { system, .. } = patch.rolling;
+        let Rolling { system, strength, .. } = patch.rolling;
         let shearing_radius = system.wheel.shearing_radius();
         let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&patch.angles);
         let mobilisation = patch.peak_mobilisation();
-        let friction = system.soil.tan_friction() / (normal_radius * a);
+        let friction = strength.tan_friction / (normal_radius * a);
         let support = 1.0 + shearing_radius * mobilisation * b * friction;
         if support.is_nan() || support < LEAST_SUPPORT {
             return Err(Error::LoadNotCoupled { support });
         }
-        let strength = system.wheel.width() * system.soil.cohesion() + self.normal_load * friction;
+        let strength = system.wheel.width() * strength.cohesion + self.normal_load * friction;
         Ok(shearing_radius * shearing_radius * h * mobilisation * strength / support)
     }
 }

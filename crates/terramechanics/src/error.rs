@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::fault::Fault;
+use crate::parameter::Parameter;
 
 /// Why valid parts, put together, have no answer.
 ///
@@ -53,6 +54,15 @@ pub enum Error {
         reversal: f64,
         /// Exit angle θ2 (rad).
         exit: f64,
+    },
+    /// The interface of the rim is stronger than the soil, which would then shear in itself.
+    InterfaceBeyondSoil {
+        /// The value of the interface that is at fault.
+        parameter: &'static Parameter,
+        /// Its value, in the unit of the parameter.
+        value: f64,
+        /// What the soil has.
+        soil: f64,
     },
     /// A closed form was asked of a contact of two zones, at whose peak no shear stress acts.
     ClosedFormOfTwoZones,
@@ -180,6 +190,10 @@ impl fmt::Display for Error {
                 Digits(exit),
                 Digits(entry)
             ),
+            Self::InterfaceBeyondSoil { parameter, value, soil } => {
+                let (name, value, soil) = (parameter.name, Digits(value), Digits(soil));
+                write!(f, "the {name} of the interface is {value}, it must be at most that of the soil, {soil}")
+            }
             Self::ClosedFormOfTwoZones => {
                 write!(f, "two zones have no closed form: no shear stress acts at their peak; the quadrature takes them")
             }

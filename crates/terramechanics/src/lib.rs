@@ -21,6 +21,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 mod braking;
 mod caution;
+mod circles;
 mod contact;
 mod coupled;
 mod errata;
@@ -58,7 +59,10 @@ mod zones;
 
 pub use braking::*;
 pub use caution::{Caution, CautionKind, TestedRange};
-pub use contact::*;
+pub use circles::{Circles, ShearDisplacementRadius, SlipRadius};
+pub use contact::{
+    AngleRatio, Angles, Contact, ContactParams, ExitRule, HalfSinkage, Interface, Midpoint, PeakRule, SinkageRatio, WongReece,
+};
 pub use coupled::{Coupled, CoupledForces};
 pub use errata::{ERRATA, Erratum};
 pub use error::{Error, SoilLaw};

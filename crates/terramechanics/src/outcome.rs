@@ -106,7 +106,7 @@ pub(crate) fn cautions_with_sinkage(
         beyond_law,
         braking_gain,
         braking_law,
-        PEAK_RULE_SET_ASIDE.when(!outcome.slip.is_driving() && system.contact.sets_rule_aside()),
+        PEAK_RULE_SET_ASIDE.when(system.contact.sets_rule_aside() && system.kinematics(outcome.slip).skid > 0.0),
         INTEGRATION_ERROR.of(outcome.integration_error),
         LOAD_RESIDUAL.of(residual),
     ];

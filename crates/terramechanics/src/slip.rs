@@ -2,6 +2,7 @@
 //!
 //! Convention: −1 (locked) … 0 (rolling) … 1 (spinning on the spot). Driving, rω ≥ v: s = 1 − v/(rω). Braking: s = rω/v − 1.
 
+use crate::circles::SlipRadius;
 use crate::error::Error;
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::wheel::Wheel;
@@ -54,13 +55,6 @@ impl Slip {
     #[must_use]
     pub fn is_locked(self) -> bool {
         self.0 <= -1.0
-    }
-
-    /// κ = v/(rω) and 1 − κ, the latter without cancellation near rolling; both infinite for a locked wheel.
-    ///
-    /// Driving κ = 1 − s; braking κ = 1/(1 + s), where the printed Eq. (6) has 1 − s (erratum 11: Eq. 2 gives the other).
-    pub(crate) fn velocity_ratio(self) -> (f64, f64) {
-        if self.is_driving() { (1.0 - self.0, self.0) } else { (1.0 / (1.0 + self.0), self.0 / (1.0 + self.0)) }
     }
 }
 
@@ -146,7 +140,7 @@ impl Motion {
         Self { slip, heading: Heading::Forward, at_rest: false }
     }
 
-    /// Slip and heading of `wheel` at `velocities`. Eq. (2), with r the rim radius.
+    /// Slip and heading of `wheel` at `velocities`, the slip counted on `circle`. Eq. (2), which has the rim.
     ///
     /// At rest (v = ω = 0) the slip is 0.
     ///
@@ -154,14 +148,17 @@ impl Motion {
     /// [`Error::Invalid`] for a velocity that is not finite, [`Error::OppositeRotation`] where v and ω have opposite signs.
     ///
     /// ```
-    /// # use terramechanics::{Heading, Motion, Velocities, Wheel, WheelParams};
-    /// let wheel = Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?;
-    /// let motion = Motion::of(&wheel, Velocities { forward: 0.15, angular: 1.0 })?;
+    /// # use terramechanics::{Heading, Motion, SlipRadius, Velocities, Wheel, WheelParams};
+    /// let wheel = Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.05, lug_coefficient: 0.5 })?;
+    /// let velocities = Velocities { forward: 0.15, angular: 1.0 };
+    /// let motion = Motion::of(&wheel, SlipRadius::Rim, velocities)?;
     /// assert!((motion.slip.ratio() - 0.25).abs() < 1e-15); // 1 − 0.15/(0.2·1)
     /// assert_eq!(motion.heading, Heading::Forward);
+    /// let motion = Motion::of(&wheel, SlipRadius::LugTip, velocities)?;
+    /// assert!((motion.slip.ratio() - 0.4).abs() < 1e-15); // 1 − 0.15/(0.25·1)
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(wheel: &Wheel, velocities: Velocities) -> Result<Self, Error> {
+    pub fn of(wheel: &Wheel, circle: SlipRadius, velocities: Velocities) -> Result<Self, Error> {
         let Velocities { forward, angular } = velocities;
         Velocities::FORWARD.check(forward).map_err(Error::Invalid)?;
         Velocities::ANGULAR.check(angular).map_err(Error::Invalid)?;
@@ -169,7 +166,7 @@ impl Motion {
             return Err(Error::OppositeRotation { forward_velocity: forward, angular_velocity: angular });
         }
         let heading = velocities.heading();
-        let (axle, rim) = (forward.abs(), (wheel.radius() * angular).abs());
+        let (axle, rim) = (forward.abs(), (circle.of(wheel) * angular).abs());
         let slip = if axle == rim {
             0.0
         } else if rim > axle {
@@ -188,7 +185,7 @@ mod tests {
 
     fn motion(forward: f64, angular: f64) -> Result<Motion, Error> {
         let wheel = Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 }).expect("a wheel");
-        Motion::of(&wheel, Velocities { forward, angular })
+        Motion::of(&wheel, SlipRadius::Rim, Velocities { forward, angular })
     }
 
     #[test]

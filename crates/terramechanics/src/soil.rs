@@ -5,6 +5,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::contact::Strength;
 use crate::error::{Error, SoilLaw};
 use crate::fault::InvalidInput;
 use crate::parameter::{Parameter, Presence, Requirement, present};
@@ -38,9 +39,7 @@ pub struct SoilParams {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Soil {
     params: SoilParams,
-    tan_friction: f64,
-    /// Reciprocal of the displacement by which the shear law scales (1/m); NaN without a law.
-    per_shear_scale: f64,
+    strength: Strength,
     /// Unit weight γ (N/m³), if known: the soil's own, else the one in its pressure–sinkage law.
     unit_weight: Option<f64>,
     /// Gravity (m/s²) in which the soil was measured, if it is known.
@@ -128,8 +127,12 @@ impl Soil {
         };
         Ok(Self {
             params,
-            tan_friction: params.friction_angle.tan(),
-            per_shear_scale: params.shear.map_or(f64::NAN, |law| 1.0 / law.scale()),
+            strength: Strength {
+                cohesion: params.cohesion,
+                tan_friction: params.friction_angle.tan(),
+                shear_scale: params.shear.map_or(f64::NAN, |law| law.scale()),
+                per_shear_scale: params.shear.map_or(f64::NAN, |law| 1.0 / law.scale()),
+            },
             unit_weight: params.unit_weight.or_else(in_the_law),
             measured_gravity: params.gravity,
             largest_fitted_slip: None,
@@ -182,7 +185,7 @@ impl Soil {
     /// tan φ (–).
     #[must_use]
     pub fn tan_friction(&self) -> f64 {
-        self.tan_friction
+        self.strength.tan_friction
     }
 
     /// Pressure–sinkage law, where one is known.
@@ -219,10 +222,10 @@ impl Soil {
         self.params.lateral_shear_modulus.or(self.params.shear.map(|law| law.scale()))
     }
 
-    /// Reciprocal of the displacement by which the shear law scales along the wheel (1/m); NaN without a law.
+    /// What shears within the soil.
     #[inline]
-    pub(crate) fn per_shear_scale(&self) -> f64 {
-        self.per_shear_scale
+    pub(crate) fn strength(&self) -> Strength {
+        self.strength
     }
 }
 

@@ -146,4 +146,10 @@ impl Wheel {
     pub fn shearing_radius(&self) -> f64 {
         self.params.radius + self.params.lug_coefficient * self.params.lug_height // Eq. (9)
     }
+
+    /// Radius of the lug tips, r + h (m).
+    #[must_use]
+    pub fn lug_tip_radius(&self) -> f64 {
+        self.params.radius + self.params.lug_height
+    }
 }

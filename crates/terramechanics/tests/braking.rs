@@ -7,8 +7,9 @@ use proptest::prelude::*;
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_4;
 use terramechanics::{
-    Braking, Contact, Direct, Error, ForceModel, Forces, JanosiHanamoto, Method, Outcome, PeakDepth, PeakRule, PressureSinkage,
-    ShearLaw, SinkageExponent, SoilParams, StressProfile, WheelOnSoil, WheelParams, WongPeak, WongResidual, cautions,
+    Braking, Circles, Contact, Direct, Error, ForceModel, Forces, JanosiHanamoto, Method, Outcome, PeakDepth, PeakRule,
+    PressureSinkage, ShearLaw, SinkageExponent, SoilParams, StressProfile, WheelOnSoil, WheelParams, WongPeak, WongResidual,
+    cautions,
 };
 
 /// Some tens of roundings.
@@ -273,7 +274,7 @@ prop_compose! {
                 pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 10f64.powf(log_modulus), exponent })),
                 ..SoilParams::BARE
             },
-            contact: contact(PeakRule::Midpoint, exit_ratio),
+            contact: contact(PeakRule::Midpoint, exit_ratio).with_circles(Circles::RIM), // as the paper has it
             depth_ratio: 10f64.powf(log_depth),
         }
     }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{EDGE_CASES, REFERENCE_CASES, cases, model_of, slip, system_of};
+use common::{EDGE_CASES, LUGS, REFERENCE_CASES, cases, model_of, slip, system_of};
 use serde_json::Value;
 use terramechanics::{Forces, ShearLaw};
 
@@ -98,6 +98,11 @@ fn wongs_shear_laws_agree_with_sixty_digits() {
 #[test]
 fn sixty_random_cases_agree_with_thirty_digits() {
     check(REFERENCE_CASES, 60);
+}
+
+#[test]
+fn lugged_wheels_with_their_slip_on_three_circles_agree_with_thirty_digits() {
+    check(LUGS, 40);
 }
 
 #[test]

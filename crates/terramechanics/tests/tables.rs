@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use terramechanics::{
-    Braking, Contact, Error, ForceModel, Law, Method, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw, SlipSinkage,
-    Soil, SoilLaw, SoilParams, Thresholds, Wheel, WheelOnSoil, WheelParams,
+    Braking, Contact, Error, ExitRule, ForceModel, Interface, Law, Method, Parameter, Parametrised, PeakRule, PressureSinkage,
+    ShearLaw, SlipSinkage, Soil, SoilLaw, SoilParams, Thresholds, Wheel, WheelOnSoil, WheelParams,
 };
 
 /// A value that a reader takes and that differs for each place of a table.
@@ -66,6 +66,7 @@ fn every_law_is_made_of_its_table_and_gives_its_values_back() {
     come_back(ShearLaw::LAWS, |law| (law.law().name, law.values()));
     come_back(SlipSinkage::LAWS, |law| (law.law().name, law.values()));
     come_back(PeakRule::LAWS, |law| (law.law().name, law.values()));
+    come_back(ExitRule::LAWS, |law| (law.law().name, law.values()));
     come_back(Braking::LAWS, |law| (law.law().name, law.values()));
 }
 
@@ -74,7 +75,7 @@ fn what_has_no_law_is_declared_as_well() {
     for parameters in [
         WheelParams::PARAMETERS,
         Soil::PARAMETERS,
-        Contact::PARAMETERS,
+        Interface::PARAMETERS,
         Thresholds::PARAMETERS,
         WheelOnSoil::PARAMETERS,
         terramechanics::Velocities::PARAMETERS,

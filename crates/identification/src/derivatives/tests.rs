@@ -22,7 +22,7 @@ fn setup(method: Method) -> Setup {
             pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 9e5, exponent })),
             ..SoilParams::BARE
         },
-        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), exit_ratio: 0.0 },
+        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), ..ContactParams::MIDPOINT },
         model: ForceModel::at_rim(method),
         sinkage: SinkageSource::Load,
     }

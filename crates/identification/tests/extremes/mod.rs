@@ -118,7 +118,7 @@ impl<'a> Draw<'a> {
                 pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e3 * self.mostly_plain(), exponent })),
                 ..SoilParams::BARE
             },
-            contact: ContactParams { rule, exit_ratio: 0.0 },
+            contact: ContactParams { rule, ..ContactParams::MIDPOINT },
             model: ForceModel::at_rim(method),
             sinkage,
         }

@@ -18,6 +18,7 @@ mod side;
 pub use method::{Lambda, Method, NormalStressRadius, PeakDepth};
 pub use shape::ShapeIntegrals;
 
+use crate::circles::SlipRadius;
 use crate::error::Error;
 use crate::fault::Fault;
 use crate::lateral::SideForce;
@@ -195,12 +196,12 @@ impl Forces {
         (self.normal > 0.0 && ratio.is_finite()).then_some(ratio)
     }
 
-    /// Tractive efficiency F_x v/(T ω) = F_x r (1 − s)/T (–); defined only while the wheel drives: s ≥ 0 and a torque in the
-    /// sense of the motion.
+    /// Tractive efficiency F_x v/(T ω) = F_x r_slip (1 − s)/T (–), with the slip counted on `circle`; defined only while the
+    /// wheel drives: s ≥ 0 and a torque in the sense of the motion.
     #[must_use]
-    pub fn tractive_efficiency(&self, wheel: &Wheel, slip: Slip, heading: Heading) -> Option<f64> {
+    pub fn tractive_efficiency(&self, wheel: &Wheel, circle: SlipRadius, slip: Slip, heading: Heading) -> Option<f64> {
         let ahead = self.heading(heading); // mirrored back: the ratio is the same for both headings
-        let efficiency = ahead.longitudinal * wheel.radius() * (1.0 - slip.ratio()) / ahead.torque;
+        let efficiency = ahead.longitudinal * circle.of(wheel) * (1.0 - slip.ratio()) / ahead.torque;
         (slip.is_driving() && ahead.torque > 0.0 && efficiency.is_finite()).then_some(efficiency)
     }
 }

@@ -22,7 +22,8 @@
 //! and at θ has pushed it by j_y only.
 //!
 //! Departures: the shear law is that of the soil, Janosi–Hanamoto's is the published one; a braking wheel has κ = 1/(1 + s)
-//! in place of 1 − s; τ_y acts at the shearing radius of a wheel with lugs, as τ does.
+//! in place of 1 − s; on a wheel with lugs τ_y acts at the shearing radius, as τ does, and j_y is counted from where the circle of
+//! j enters the soil (`circles.rs`).
 
 use super::SlipAngle;
 use crate::patch::ContactPatch;
@@ -33,7 +34,7 @@ use crate::soil::Soil;
 #[inline]
 pub(super) fn displacement(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
-    rolling.system.wheel.radius() * rolling.velocity_ratio().0 * point.arc() * angle.steepness()
+    rolling.kinematics.radius * rolling.kinematics.ratio * patch.sheared_arc(point) * angle.steepness()
 }
 
 /// E_y (–) at a place of the rim, without sign; on a locked wheel, whose displacement has no end, what that leaves.
@@ -50,7 +51,7 @@ pub(super) fn lateral_share(patch: &ContactPatch<'_>, point: &RimPoint, angle: S
 /// Arc (rad) behind the entry over which E_y changes; infinite where it does not.
 pub(super) fn layer(patch: &ContactPatch<'_>, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
-    let growth = rolling.system.wheel.radius() * rolling.velocity_ratio().0 * angle.steepness();
+    let growth = rolling.kinematics.radius * rolling.kinematics.ratio * angle.steepness();
     if rolling.slip.is_locked() || growth == 0.0 { f64::INFINITY } else { 1.0 / (growth * rolling.per_lateral_modulus()) }
 }
 

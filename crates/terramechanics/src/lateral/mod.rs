@@ -10,7 +10,7 @@
 //! What a place of the rim does to the soil. With κ = v_x/(rω), it moves against the soil at rω (1 − κ cos θ) backwards
 //! along the rim and at rω κ tan β sideways. It came in at θ1 a time (θ1 − θ)/ω ago, so it has gone sideways by
 //! j_y = r κ (θ1 − θ) tan β. A driving wheel has κ = 1 − s, which is the printed formula; a braking one 1/(1 + s), as its
-//! displacement along the rim has. As the letter's j, both carry the rim radius, also with lugs.
+//! displacement along the rim has. With lugs r and θ1 are those of the circle on which j is counted; v_x/ω = r κ is the same.
 //!
 //! | part | here |
 //! |---|---|

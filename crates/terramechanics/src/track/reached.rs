@@ -6,6 +6,7 @@ use crate::coupled::{Coupled, CoupledForces};
 use crate::error::Error;
 use crate::operation::Sinkage;
 use crate::outcome::Outcome;
+use crate::rolling::WheelOnSoil;
 use crate::slip::{Heading, Motion, Slip};
 
 /// What one sample gives where it is good.
@@ -40,12 +41,12 @@ impl Tracker {
         let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
         let point = self.operation.with_sinkage(motion.slip, &sample.sinkage).map_err(unsolved)?;
         let forces = point.forces.heading(motion.heading);
-        let wheel = &self.operation.system.wheel;
+        let (wheel, circle) = (&self.operation.system.wheel, self.operation.system.contact.circles().slip);
         let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
         if power.is_infinite() {
             return Err(unsolved(Error::NotFinite));
         }
-        let efficiency = || forces.tractive_efficiency(wheel, motion.slip, motion.heading);
+        let efficiency = || forces.tractive_efficiency(wheel, circle, motion.slip, motion.heading);
         let row = TrackRow {
             time: sample.time,
             slip: *slip,
@@ -78,7 +79,8 @@ impl Tracker {
             SampleMotion::Velocities(velocities) => {
                 present(Channel::ForwardVelocity, velocities.forward)?;
                 present(Channel::AngularVelocity, velocities.angular)?;
-                let motion = Motion::of(&self.operation.system.wheel, velocities).map_err(|error| {
+                let WheelOnSoil { wheel, contact, .. } = &self.operation.system;
+                let motion = Motion::of(wheel, contact.circles().slip, velocities).map_err(|error| {
                     let opposite = matches!(error, Error::OppositeRotation { .. });
                     let status = if opposite { Status::OppositeRotation } else { Status::OutOfRange };
                     Refused { status, error: Some(error), culprit: None }

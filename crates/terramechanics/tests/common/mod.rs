@@ -3,9 +3,9 @@
 
 use serde_json::Value;
 use terramechanics::{
-    Bekker, Contact, ContactParams, Diameter, Direct, ForceModel, Forces, JanosiHanamoto, Lambda, Method, NormalStressRadius,
-    PeakDepth, PeakRule, PressureSinkage, Reece, ShearLaw, SinkageExponent, Slip, Soil, SoilParams, Wheel, WheelOnSoil,
-    WheelParams, WongPeak, WongReece, WongResidual,
+    AngleRatio, Bekker, Circles, Contact, ContactParams, Diameter, Direct, ExitRule, ForceModel, Forces, JanosiHanamoto, Lambda,
+    Method, NormalStressRadius, PeakDepth, PeakRule, PressureSinkage, Reece, ShearDisplacementRadius, ShearLaw, SinkageExponent,
+    Slip, SlipRadius, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongPeak, WongReece, WongResidual,
 };
 
 /// The letter's wheel and soil (its Fig. 1b), as parameters to vary.
@@ -29,7 +29,8 @@ pub(crate) fn letter() -> WheelOnSoil {
 }
 
 pub(crate) fn contact(rule: PeakRule, exit_ratio: f64) -> Contact {
-    Contact::new(ContactParams { rule, exit_ratio }).expect("a contact")
+    let exit = ExitRule::AngleRatio(AngleRatio { c3: exit_ratio });
+    Contact::new(ContactParams { rule, exit, ..ContactParams::MIDPOINT }).expect("a contact")
 }
 
 pub(crate) fn slip(ratio: f64) -> Slip {
@@ -50,12 +51,31 @@ pub(crate) fn cases(text: &str) -> Vec<Value> {
 }
 
 pub(crate) const REFERENCE_CASES: &str = include_str!("../reference/reference_cases.json");
+pub(crate) const LUGS: &str = include_str!("../reference/lugs.json");
 pub(crate) const SIDE_FORCE_CASES: &str = include_str!("../reference/side_force_cases.json");
 pub(crate) const EDGE_CASES: &str = include_str!("../reference/edge_cases.json");
 
 /// A number of a case, or what it is where the case leaves it out.
 fn number(object: &Value, name: &str, default: f64) -> f64 {
     object.get(name).map_or(default, |value| value.as_f64().expect("a number"))
+}
+
+/// The circles of a case; one that says nothing of them counts on the rim, as the letter does.
+fn circles_of(input: &Value) -> Circles {
+    let circle = |name: &str| input.get(name).and_then(Value::as_str).unwrap_or("rim");
+    Circles {
+        shear_displacement: match circle("shear_displacement_radius") {
+            "rim" => ShearDisplacementRadius::Rim,
+            "shearing" => ShearDisplacementRadius::Shearing,
+            other => panic!("no circle {other}"),
+        },
+        slip: match circle("slip_radius") {
+            "rim" => SlipRadius::Rim,
+            "shearing" => SlipRadius::Shearing,
+            "lug_tip" => SlipRadius::LugTip,
+            other => panic!("no circle {other}"),
+        },
+    }
 }
 
 pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
@@ -106,7 +126,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
             lateral_shear_modulus: soil.get("lateral_shear_modulus_m").and_then(Value::as_f64),
             ..SoilParams::BARE
         },
-        contact(peak_rule, number(rule, "c3", 0.0)),
+        contact(peak_rule, number(rule, "c3", 0.0)).with_circles(circles_of(input)),
     )
 }
 
