@@ -1,6 +1,6 @@
 //! Refusals of the model as faults of the request.
 
-use terramechanics::{Error, Sinkage, SoilLaw, WheelOnSoil};
+use terramechanics::{Error, KnownSinkage, Sinkage, SoilLaw, WheelOnSoil};
 use terramechanics_reading::{FieldFault, Figures};
 
 use super::laws::number;
@@ -9,8 +9,8 @@ use super::laws::number;
 pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
     match error {
         Error::SinkageOutsideWheel { .. } => match sinkage {
-            Sinkage::Given(_) => "/sinkage_m",
-            Sinkage::FromStatic { .. } => "/static_sinkage_m",
+            Sinkage::Given(_) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(_), .. } => "/sinkage_m",
+            Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } => "/static_sinkage_m",
             Sinkage::CarryingLoad(_) => "/normal_load_n",
         },
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
@@ -20,6 +20,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::LoadNotCoupled { .. } => "/slip",
         Error::LoadBeyondCapacity { .. }
         | Error::LoadTooLight { .. }
+        | Error::LoadBelowCohesion { .. }
         | Error::LoadNotBalanced { .. }
         | Error::NotFreeRolling { .. } => "/normal_load_n",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",

@@ -82,6 +82,7 @@ impl Reason {
             Error::LoadBeyondCapacity { load, largest, .. } => of("load", load, "N", None, Some(largest)),
             Error::LoadTooLight { load, least, .. } => of("load", load, "N", Some(least), None),
             Error::InterfaceBeyondSoil { parameter, value, soil } => of(parameter.name, value, parameter.unit, None, Some(soil)),
+            Error::LoadBelowCohesion { load, carries } => of("load", load, "N", Some(carries), None),
             Error::Invalid(_)
             | Error::OppositeRotation { .. }
             | Error::ClosedFormOfTwoZones

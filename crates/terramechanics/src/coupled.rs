@@ -8,7 +8,7 @@
 //! | what | here |
 //! |---|---|
 //! | T = r_s² H E [b c + W tan φ/(r_n A)] / [1 + r_s B E tan φ/(r_n A)] | [`Coupled::forces`] without a torque |
-//! | F_x = (A/H + B²/(A H)) T/r_s − (B/A) W | [`Coupled::forces`] |
+//! | F_x = (A/H + B²/(A H)) T/r_s − (B/A) W | [`pull_from_torque`] |
 //!
 //! Validity: that of the linear stresses. A wheel that brakes so hard that the shear stress takes away what the normal stress
 //! supports carries no load by them: the denominator vanishes, which is refused. A load below what the shear stress supports
@@ -24,8 +24,10 @@ use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
 use crate::outcome::system_cautions;
 use crate::patch::ContactPatch;
+use crate::pull_from_torque::{pull_from_torque, torque_against_slip};
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::slip::{Heading, Slip};
+use crate::track::Measured;
 
 /// Share of the support by the normal stress that has to be left by the shear stress of a braking wheel: with less, seven
 /// digits of the torque would be lost in the difference.
@@ -88,26 +90,13 @@ impl Coupled {
     /// ```
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<CoupledForces, Error> {
         WheelOnSoil::NORMAL_LOAD.check(self.normal_load).map_err(Error::Invalid)?;
-        if let Some(torque) = self.torque {
-            WheelOnSoil::TORQUE.check(torque).map_err(Error::Invalid)?;
-        }
         let wheel = &patch.rolling.system.wheel;
-        let (shearing_radius, normal_radius) = (wheel.shearing_radius(), self.normal_stress_radius.of(wheel));
-        let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&patch.angles);
         let torque = match self.torque {
             Some(torque) => torque,
-            None => self.torque_from_load(patch, normal_radius)?,
+            None => self.torque_from_load(patch, self.normal_stress_radius.of(wheel))?,
         };
-        let y = torque / (shearing_radius * h); // Eq. (11c), with r_s (erratum 6)
-        let x = (self.normal_load - b * y) / a; // Eq. (11b)
-        let forces = CoupledForces {
-            longitudinal: (a + b * b / a) * y - b / a * self.normal_load, // A Y − B X, Eq. (11a)
-            torque,
-            peak_normal_stress: x / (normal_radius * wheel.width()),
-            peak_shear_stress: y / (shearing_radius * wheel.width()),
-        };
-        let results = [forces.longitudinal, forces.torque, forces.peak_normal_stress, forces.peak_shear_stress];
-        if results.iter().all(|value| value.is_finite()) { Ok(forces) } else { Err(Error::NotFinite) }
+        let measured = Measured { torque, normal_load: self.normal_load };
+        pull_from_torque(wheel, &ShapeIntegrals::of(&patch.angles), measured, self.normal_stress_radius)
     }
 
     fn torque_from_load(&self, patch: &ContactPatch<'_>, normal_radius: f64) -> Result<f64, Error> {
@@ -145,7 +134,8 @@ impl CoupledForces {
     /// All that is to be taken with care at this slip and sinkage (m); nothing of the pressure–sinkage law, which cancels.
     pub fn cautions(&self, system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
         let deep = DEEP_SINKAGE.of(sinkage / system.wheel.radius());
-        let own = [self.caution(), deep, SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
+        let against = torque_against_slip(&system.wheel, &system.contact, slip, sinkage, self.torque);
+        let own = [self.caution(), against, deep, SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
         own.into_iter().flatten().chain(system_cautions(system))
     }
 }

@@ -106,8 +106,14 @@ pub enum Error {
         /// The best sinkage (m).
         sinkage: f64,
     },
-    /// By linear stresses no normal stress carries a load, because the shear stress that goes with it pulls the wheel down as
-    /// much as it supports it.
+    /// A load that is known is carried by cohesion alone: no normal stress is left to follow from it.
+    LoadBelowCohesion {
+        /// The load (N).
+        load: f64,
+        /// What cohesion carries (N).
+        carries: f64,
+    },
+    /// No normal stress carries a load, because the shear stress that goes with it pulls the wheel down as much as it supports it.
     LoadNotCoupled {
         /// Support that is left of 1 for the normal stress alone (–).
         support: f64,
@@ -228,6 +234,10 @@ impl fmt::Display for Error {
                 Digits(sinkage),
                 Digits(residual)
             ),
+            Self::LoadBelowCohesion { load, carries } => {
+                let (load, carries) = (Digits(load), Digits(carries));
+                write!(f, "the load {load} N must be greater than the {carries} N that cohesion carries at this slip and sinkage")
+            }
             Self::LoadNotCoupled { support } => write!(
                 f,
                 "no normal stress carries a load here: with the shear stress of this braking wheel only {} is left of each newton \

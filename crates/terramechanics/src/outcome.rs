@@ -2,12 +2,12 @@
 
 use crate::caution::{
     BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, Caution, DEEP_SINKAGE, INTEGRATION_ERROR, LOAD_RESIDUAL, LOW_GRAVITY,
-    LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, PEAK_RULE_SET_ASIDE, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT,
+    LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, NORMAL_FORCE_DRIFTS, PEAK_RULE_SET_ASIDE, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT,
     SLIP_GAIN_EXTRAPOLATED,
 };
 use crate::forces::Method;
 use crate::lateral::Bulldozing;
-use crate::operation::{OperatingPoint, Operation, Sinkage};
+use crate::operation::{NormalStressFrom, OperatingPoint, Operation, Sinkage};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
@@ -25,6 +25,8 @@ pub struct Outcome {
     pub integration_error: f64,
     /// Share of the pressure on the side wall that is mobilised (–), where a slip angle was asked for.
     pub mobilised_share: Option<f64>,
+    /// Normal force (N) at the standstill, where it is known: see [`Operation::standstill_normal`].
+    pub standstill_normal: Option<f64>,
 }
 
 impl From<&OperatingPoint> for Outcome {
@@ -36,6 +38,7 @@ impl From<&OperatingPoint> for Outcome {
             normal: Some(forces.normal),
             integration_error: forces.integration_error,
             mobilised_share: forces.side.map(|side| side.mobilised_share),
+            standstill_normal: None,
         }
     }
 }
@@ -91,14 +94,20 @@ pub(crate) fn cautions_with_sinkage(
     outcome: &Outcome,
 ) -> impl Iterator<Item = Caution> + use<> {
     let system = &operation.system;
-    let residual = match (sinkage, outcome.normal) {
-        (Sinkage::CarryingLoad(load), Some(normal)) => (normal - load).abs() / load,
+    let residual = match (sinkage.load(), outcome.normal) {
+        (Some(load), Some(normal)) => (normal - load).abs() / load,
         _ => 0.0,
     };
-    let [beyond_gain, braking_gain] = gain_cautions(system, outcome.slip.ratio());
-    let [beyond_law, braking_law] = match sinkage {
-        Sinkage::FromStatic { law, .. } => law.cautions(outcome.slip),
-        Sinkage::Given(_) | Sinkage::CarryingLoad(_) => [None, None],
+    // A load that is known takes the place of the modulus; the exponent is left to the integrals.
+    let by_load = sinkage.normal_stress_from() == NormalStressFrom::Load;
+    let no_exponent = by_load && operation.model.method.is_closed_form();
+    let [beyond_gain, braking_gain] = if no_exponent { [None, None] } else { gain_cautions(system, outcome.slip.ratio()) };
+    let [beyond_law, braking_law] = sinkage.law().map_or([None, None], |law| law.cautions(outcome.slip));
+    let drift = match (sinkage, outcome.normal, outcome.standstill_normal) {
+        (Sinkage::FromStatic { .. }, Some(normal), Some(standstill)) if standstill > 0.0 => {
+            NORMAL_FORCE_DRIFTS.of(normal / standstill - 1.0)
+        }
+        _ => None,
     };
     let of_outcome = [
         DEEP_SINKAGE.of(outcome.sinkage / system.wheel.radius()),
@@ -109,7 +118,9 @@ pub(crate) fn cautions_with_sinkage(
         PEAK_RULE_SET_ASIDE.when(system.contact.sets_rule_aside() && system.kinematics(outcome.slip).skid > 0.0),
         INTEGRATION_ERROR.of(outcome.integration_error),
         LOAD_RESIDUAL.of(residual),
+        drift,
     ];
     let across = side_cautions(operation, outcome);
-    pressure_cautions(system).chain(system_cautions(system)).chain(of_outcome.into_iter().flatten()).chain(across)
+    let pressure = (!by_load).then(|| pressure_cautions(system)).into_iter().flatten();
+    pressure.chain(system_cautions(system)).chain(of_outcome.into_iter().flatten()).chain(across)
 }

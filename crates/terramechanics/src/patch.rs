@@ -86,6 +86,11 @@ impl Rolling<'_> {
 }
 
 impl ContactPatch<'_> {
+    /// The same contact of a wheel that differs in the pressure and the strength of its soil alone.
+    pub(crate) fn with<'b>(&self, rolling: &'b Rolling<'b>) -> ContactPatch<'b> {
+        ContactPatch { rolling, sinkage: self.sinkage, angles: self.angles, entry: self.entry, lead: self.lead }
+    }
+
     /// Whether it is the contact of a braking wheel with two zones.
     #[must_use]
     pub fn has_two_zones(&self) -> bool {

@@ -103,6 +103,24 @@ impl WheelOnSoil {
             Some(law) => Some(law.curve(&self.plate(), slip)?),
             None => None,
         };
+        self.rolling_on(slip, curve)
+    }
+
+    /// The wheel rolling at `slip` under a load that is known: of its pressure–sinkage law the exponent counts alone, and the modulus
+    /// is 1.
+    ///
+    /// # Errors
+    /// What [`WheelOnSoil::rolling`] refuses but for the modulus.
+    pub(crate) fn rolling_under_load(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
+        let curve = match self.soil.pressure_sinkage() {
+            Some(law) => Some(law.shape(slip)?),
+            None => None,
+        };
+        self.rolling_on(slip, curve)
+    }
+
+    #[inline(always)] // as above
+    fn rolling_on(&self, slip: Slip, curve: Option<PressureCurve>) -> Result<Rolling<'_>, Error> {
         let shear = self.soil.required_shear()?;
         let kinematics = self.kinematics(slip);
         let strength = Strength::of(&self.soil, self.contact.params().interface.as_ref())?;
@@ -135,6 +153,10 @@ impl WheelOnSoil {
 }
 
 impl Rolling<'_> {
+    /// The same wheel on a soil of that pressure and that cohesion (Pa).
+    pub(crate) fn pressed_by(&self, curve: PressureCurve, cohesion: f64) -> Self {
+        Self { curve: Some(curve), strength: Strength { cohesion, ..self.strength }, ..*self }
+    }
     /// Pressure over depth under the wheel.
     ///
     /// # Errors

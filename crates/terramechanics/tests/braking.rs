@@ -184,7 +184,14 @@ fn a_rule_for_the_peak_that_is_set_aside_is_said() {
         sinkage: terramechanics::Sinkage::Given(0.02),
     };
     let codes = |rule, braking, ratio: f64| {
-        let outcome = Outcome { slip: slip(ratio), sinkage: 0.02, normal: None, integration_error: 0.0, mobilised_share: None };
+        let outcome = Outcome {
+            slip: slip(ratio),
+            sinkage: 0.02,
+            normal: None,
+            standstill_normal: None,
+            integration_error: 0.0,
+            mobilised_share: None,
+        };
         let operation = operation(rule, braking);
         let codes = cautions(&operation, &outcome).map(|caution| caution.kind.code);
         codes.filter(|code| *code != "small_wheel").collect::<Vec<_>>()

@@ -198,7 +198,14 @@ fn a_wheel_of_unknown_lug_height_has_the_same_forces_and_says_so() {
     let unknown = WheelOnSoil { wheel: known.wheel.with_unknown_lug_height(), ..known };
     let codes = |system: WheelOnSoil| {
         let operation = Operation { system, model: ForceModel::at_rim(Method::Quadrature), sinkage: Sinkage::Given(0.02) };
-        let outcome = Outcome { slip: slip(0.2), sinkage: 0.02, normal: None, integration_error: 0.0, mobilised_share: None };
+        let outcome = Outcome {
+            slip: slip(0.2),
+            sinkage: 0.02,
+            normal: None,
+            standstill_normal: None,
+            integration_error: 0.0,
+            mobilised_share: None,
+        };
         cautions(&operation, &outcome).map(|caution| caution.kind.code).collect::<Vec<_>>()
     };
     assert_eq!(forces(&known, 0.2, 0.02, Method::Quadrature), forces(&unknown, 0.2, 0.02, Method::Quadrature));

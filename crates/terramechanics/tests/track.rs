@@ -209,7 +209,7 @@ fn a_stall_lasts_its_time_and_is_told_with_both_ends() {
 #[test]
 fn a_wheel_beyond_half_its_radius_or_beyond_its_axle_is_entrapped() {
     let at = |time: f64, sinkage: Sinkage| Sample { sinkage, ..slipping(time, 0.2) };
-    let linear = SlipSinkage::Linear(LinearSlipSinkage { gain: 100.0 });
+    let linear = SlipSinkage::Linear(LinearSlipSinkage { gain: 100.0, skid_gain: None });
     let mut tracker = tracker(Method::EXPLICIT);
     tracker.push(&at(0.0, Sinkage::Given(0.1))); // just half of 0.2 m
     tracker.push(&at(1.0, Sinkage::Given(0.11)));

@@ -2,6 +2,8 @@
 
 use crate::lateral::SideSlip;
 use crate::parameter::{Parameter, Presence, Requirement};
+use crate::patch::ContactPatch;
+use crate::rim::RimPoint;
 use crate::wheel::Wheel;
 
 /// The depth that is taken under the peak of the stresses by the closed forms.
@@ -11,6 +13,17 @@ pub enum PeakDepth {
     Geometric,
     /// Half of the sinkage. Eq. (8).
     Half,
+}
+
+impl PeakDepth {
+    /// The depth (m) at the place of the peak.
+    #[inline]
+    pub(crate) fn of(self, patch: &ContactPatch<'_>, peak: &RimPoint) -> f64 {
+        match self {
+            Self::Geometric => patch.geometric_depth(peak),
+            Self::Half => 0.5 * patch.sinkage, // Eq. (8)
+        }
+    }
 }
 
 /// A fitting constant of Eq. (14).

@@ -4,7 +4,7 @@ use super::refusal::{Refused, positive, present};
 use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
 use crate::coupled::{Coupled, CoupledForces};
 use crate::error::Error;
-use crate::operation::Sinkage;
+use crate::operation::{KnownSinkage, Sinkage};
 use crate::outcome::Outcome;
 use crate::rolling::WheelOnSoil;
 use crate::slip::{Heading, Motion, Slip};
@@ -29,14 +29,16 @@ impl Tracker {
         let (motion, angular) = self.motion(&sample.motion)?;
         *slip = motion.slip.ratio();
         match sample.sinkage {
-            Sinkage::Given(sinkage) => {
-                positive(Channel::Sinkage, sinkage)?;
-                if sinkage > self.operation.system.wheel.radius() {
-                    return Err(Refused::out_of_range(Channel::Sinkage, sinkage));
-                }
-            }
+            Sinkage::Given(sinkage) => self.measured_sinkage(sinkage)?,
             Sinkage::CarryingLoad(load) => positive(Channel::NormalLoad, load)?,
             Sinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
+            Sinkage::UnderLoad { sinkage, load } => {
+                match sinkage {
+                    KnownSinkage::Given(sinkage) => self.measured_sinkage(sinkage)?,
+                    KnownSinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
+                }
+                positive(Channel::NormalLoad, load)?;
+            }
         }
         let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
         let point = self.operation.with_sinkage(motion.slip, &sample.sinkage).map_err(unsolved)?;
@@ -63,6 +65,15 @@ impl Tracker {
         };
         let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
         Ok(Reached { row, outcome: Outcome::from(&point), heading: motion.heading, coupled })
+    }
+
+    /// Refuses a measured sinkage (m) that is missing or that no contact has.
+    fn measured_sinkage(&self, sinkage: f64) -> Result<(), Refused> {
+        positive(Channel::Sinkage, sinkage)?;
+        if sinkage > self.operation.system.wheel.radius() {
+            return Err(Refused::out_of_range(Channel::Sinkage, sinkage));
+        }
+        Ok(())
     }
 
     /// Slip and heading, and the angular velocity (rad/s) where it is known.
