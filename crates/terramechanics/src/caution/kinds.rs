@@ -83,15 +83,6 @@ kinds! {
             source: "Kobayashi et al. 2010, Wong 2012",
         }),
     };
-    MODULI_OF_OTHER_GRAVITY = CautionKind {
-        code: "moduli_of_other_gravity",
-        meaning: "Bekker's moduli are those of the gravity in which they were measured, and this soil is taken to another one. \
-                  Its weights follow gravity, its moduli do not.",
-        advice: "Use moduli measured in this gravity, Reece's law, or the method `resistive_force`, whose stiffness follows \
-                 gravity.",
-        parameter: Some(&Soil::GRAVITY),
-        range: None,
-    };
     LUG_HEIGHT_ASSUMED = CautionKind {
         code: "lug_height_assumed",
         meaning: "The wheel has or may have lugs whose height is not published. It is computed as smooth.",

@@ -14,13 +14,15 @@ macro_rules! kinds {
     };
 }
 
+mod grain_kinds;
 mod kinds;
 mod load_kinds;
 mod slip_kinds;
 
+pub(crate) use grain_kinds::{COHESION_LEFT_OUT, MODULI_OF_OTHER_GRAVITY, RESISTIVE_FORCE_BRAKING, ROUGH_CYLINDER};
 pub(crate) use kinds::{
     BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, DEEP_SINKAGE, INTEGRATION_ERROR, LOW_GRAVITY, LUG_HEIGHT_ASSUMED,
-    MODULI_OF_OTHER_GRAVITY, NEGATIVE_COHESIVE_MODULUS, PEAK_RULE_SET_ASIDE, SINKAGE_BEYOND_ESTIMATES, SMALL_WHEEL,
+    NEGATIVE_COHESIVE_MODULUS, PEAK_RULE_SET_ASIDE, SINKAGE_BEYOND_ESTIMATES, SMALL_WHEEL,
 };
 pub(crate) use load_kinds::{LOAD_RESIDUAL, NEGATIVE_NORMAL_STRESS, NORMAL_FORCE_DRIFTS, TORQUE_AGAINST_SLIP};
 pub(crate) use slip_kinds::{
@@ -72,8 +74,8 @@ pub struct TestedRange {
 impl Caution {
     /// Everything that is watched.
     pub const KINDS: &'static [&'static CautionKind] = {
-        const PARTS: [&[&CautionKind]; 3] = [kinds::KINDS, slip_kinds::KINDS, load_kinds::KINDS];
-        const COUNT: usize = PARTS[0].len() + PARTS[1].len() + PARTS[2].len();
+        const PARTS: [&[&CautionKind]; 4] = [kinds::KINDS, slip_kinds::KINDS, load_kinds::KINDS, grain_kinds::KINDS];
+        const COUNT: usize = PARTS[0].len() + PARTS[1].len() + PARTS[2].len() + PARTS[3].len();
         &joined::<COUNT>(PARTS)
     };
 
@@ -101,7 +103,7 @@ impl CautionKind {
 }
 
 /// The kinds of all parts, one after another.
-const fn joined<const COUNT: usize>(parts: [&'static [&'static CautionKind]; 3]) -> [&'static CautionKind; COUNT] {
+const fn joined<const COUNT: usize>(parts: [&'static [&'static CautionKind]; 4]) -> [&'static CautionKind; COUNT] {
     let mut all = [parts[0][0]; COUNT];
     let (mut part, mut place) = (0, 0);
     while part < parts.len() {
