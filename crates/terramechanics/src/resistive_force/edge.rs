@@ -12,6 +12,7 @@
 use super::response::{Direction, Response, STRAIGHT_DOWN};
 use crate::circles::{Circles, Kinematics, ShearDisplacementRadius};
 use crate::error::{Error, SoilLaw};
+use crate::numerics::brent::Sample;
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::slip::Slip;
 use crate::stress::Stresses;
@@ -133,45 +134,42 @@ impl LeadingEdge {
         (theta >= 0.0 && chord <= self.reach).then(|| self.at(chord))
     }
 
-    /// Angle θ (rad) of the largest normal stress: sampled along the edge, closely where γ swings, and closed in on by golden
-    /// section. The stress is flat there, so the place has half of the digits, and the stress all.
+    /// Angle θ (rad) of the largest normal stress: sampled along the edge, closely where γ swings, closed in on by golden section and
+    /// at last by a parabola. The stress is flat there, so it has all of its digits where the place has six or so.
     pub(crate) fn peak(&self) -> f64 {
         const SAMPLES: u32 = 16;
-        const STEPS: u32 = 32;
+        const STEPS: u32 = 11;
         const GOLDEN: f64 = 0.618_033_988_749_894_8;
         let scale = self.motion.layer().clamp(1e-12 * self.reach, 4.0 * self.reach);
         let whole = (self.reach / scale).asinh();
         let chord = |place: f64| (scale * place.sinh()).min(self.reach);
-        let normal = |place: f64| self.at(chord(place)).stresses.normal;
+        let sample = |x: f64| Sample { x, y: self.at(chord(x)).stresses.normal };
+        let higher = |one: Sample, other: Sample| if other.y > one.y { other } else { one };
         let stride = whole / f64::from(SAMPLES);
-        let (mut highest, mut largest) = (0.0, normal(0.0));
-        for i in 1..SAMPLES {
-            let place = stride * f64::from(i);
-            let here = normal(place);
-            if here > largest {
-                (highest, largest) = (place, here);
-            }
-        }
-        let (mut left, mut right) = ((highest - stride).max(0.0), (highest + stride).min(whole));
-        let (mut inner_left, mut inner_right) = (right - GOLDEN * (right - left), left + GOLDEN * (right - left));
-        let (mut at_left, mut at_right) = (normal(inner_left), normal(inner_right));
+        let highest = (1..SAMPLES).map(|i| sample(stride * f64::from(i))).fold(sample(0.0), higher);
+        let (mut left, mut right) = ((highest.x - stride).max(0.0), (highest.x + stride).min(whole));
+        let (mut low, mut high) = (sample(right - GOLDEN * (right - left)), sample(left + GOLDEN * (right - left)));
         for _ in 0..STEPS {
-            if at_left > at_right {
-                (right, inner_right, at_right) = (inner_right, inner_left, at_left);
-                inner_left = right - GOLDEN * (right - left);
-                at_left = normal(inner_left);
+            if low.y > high.y {
+                (right, high) = (high.x, low);
+                low = sample(right - GOLDEN * (right - left));
             } else {
-                (left, inner_left, at_left) = (inner_left, inner_right, at_right);
-                inner_right = left + GOLDEN * (right - left);
-                at_right = normal(inner_right);
+                (left, low) = (low.x, high);
+                high = sample(left + GOLDEN * (right - left));
             }
         }
-        let (closest, at_closest) = if at_left > at_right { (inner_left, at_left) } else { (inner_right, at_right) };
-        if at_closest > largest {
-            highest = closest;
-        }
-        2.0 * (0.5 * chord(highest)).asin()
+        let closest = higher(higher(highest, low), high);
+        let vertex = if low.y > high.y { vertex(sample(left), low, high) } else { vertex(low, high, sample(right)) };
+        let highest = vertex.map_or(closest, |place| higher(closest, sample(place.clamp(left, right))));
+        2.0 * (0.5 * chord(highest.x)).asin()
     }
+}
+
+/// Place of the vertex of the parabola through three samples; none through three on a line.
+fn vertex(a: Sample, b: Sample, c: Sample) -> Option<f64> {
+    let (before, after) = ((b.x - a.x) * (b.y - c.y), (b.x - c.x) * (b.y - a.y));
+    let place = b.x - 0.5 * ((b.x - a.x) * before - (b.x - c.x) * after) / (before - after);
+    place.is_finite().then_some(place)
 }
 
 /// ξ (N/m³) of the soil.
