@@ -110,7 +110,7 @@ pub(super) fn shear(Chosen { index, values }: &Chosen) -> Option<Option<ShearLaw
 /// The slip–sinkage law of a request.
 pub(super) const SLIP_SINKAGE: Tagged = Tagged {
     name: "SlipSinkage",
-    doc: "How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s).",
+    doc: "How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s), and z0 (1 − S_b s) at negative slip where S_b is given.",
     tag: "law",
     meaning: "Name of the law.",
     suffix: "SlipSinkage",

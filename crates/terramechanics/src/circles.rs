@@ -37,6 +37,14 @@ impl ShearDisplacementRadius {
             Self::Rim => wheel.radius(),
         }
     }
+
+    /// What it lies outside the rim by (m), with all its digits.
+    fn offset(self, wheel: &Wheel) -> f64 {
+        match self {
+            Self::Shearing => wheel.shearing_offset(),
+            Self::Rim => 0.0,
+        }
+    }
 }
 
 /// The circle whose speed the slip compares with the speed of travel.
@@ -59,6 +67,15 @@ impl SlipRadius {
             Self::Rim => wheel.radius(),
             Self::Shearing => wheel.shearing_radius(),
             Self::LugTip => wheel.lug_tip_radius(),
+        }
+    }
+
+    /// What it lies outside the rim by (m), with all its digits.
+    fn offset(self, wheel: &Wheel) -> f64 {
+        match self {
+            Self::Rim => 0.0,
+            Self::Shearing => wheel.shearing_offset(),
+            Self::LugTip => wheel.lug_height(),
         }
     }
 }
@@ -102,6 +119,8 @@ impl Circles {
 pub(crate) struct Kinematics {
     /// Its radius r_j (m).
     pub(crate) radius: f64,
+    /// r_j − r (m).
+    pub(crate) offset: f64,
     /// κ = v/(r_j ω); infinite for a locked wheel.
     pub(crate) ratio: f64,
     /// 1 − κ, without cancellation near rolling where both circles are one.
@@ -110,26 +129,33 @@ pub(crate) struct Kinematics {
     pub(crate) skid: f64,
 }
 
+/// ρ = r_slip/r_j and 1 − ρ.
+#[inline]
+fn radius_ratio(circles: Circles, wheel: &Wheel) -> (f64, f64) {
+    let Circles { shear_displacement, slip } = circles;
+    let radius = shear_displacement.of(wheel);
+    (slip.of(wheel) / radius, (shear_displacement.offset(wheel) - slip.offset(wheel)) / radius)
+}
+
 impl Kinematics {
     /// The motion at `slip`. Braking κ = ρ/(1 + s), where the printed Eq. (6) has 1 − s (erratum 11: Eq. 2 gives the other),
     /// with ρ = r_slip/r_j.
     #[inline]
     pub(crate) fn of(circles: Circles, wheel: &Wheel, slip: Slip) -> Self {
-        let (radius, counted) = (circles.shear_displacement.of(wheel), circles.slip.of(wheel));
-        let (rho, lead) = (counted / radius, (radius - counted) / radius); // ρ and 1 − ρ
+        let (radius, offset) = (circles.shear_displacement.of(wheel), circles.shear_displacement.offset(wheel));
+        let (rho, lead) = radius_ratio(circles, wheel);
         let s = slip.ratio();
         if slip.is_driving() {
             let (ratio, complement) = ((1.0 - s) * rho, lead + rho * s);
-            Self { radius, ratio, complement, skid: -complement / ratio }
+            Self { radius, offset, ratio, complement, skid: -complement / ratio }
         } else {
-            Self { radius, ratio: rho / (1.0 + s), complement: (lead + s) / (1.0 + s), skid: -(lead + s) / rho }
+            Self { radius, offset, ratio: rho / (1.0 + s), complement: (lead + s) / (1.0 + s), skid: -(lead + s) / rho }
         }
     }
 
     /// The slip at which the circle of the displacement has `skid` from 0 to 1.
     pub(crate) fn slip_ratio_at(circles: Circles, wheel: &Wheel, skid: f64) -> f64 {
-        let (radius, counted) = (circles.shear_displacement.of(wheel), circles.slip.of(wheel));
-        let (rho, lead) = (counted / radius, (radius - counted) / radius);
+        let (rho, lead) = radius_ratio(circles, wheel);
         let excess = -(lead + rho * skid); // r_slip ω/v − 1
         if excess > 0.0 { excess / (1.0 + excess) } else { excess.max(-1.0) }
     }

@@ -52,10 +52,10 @@ impl Lead {
     /// without cancellation.
     #[inline(never)]
     fn of(kinematics: &Kinematics, radius: f64, sinkage: f64, entry: f64) -> Self {
-        let Kinematics { radius: outer, ratio, complement, .. } = *kinematics;
-        let outer_entry = angle_at_depth((outer - radius + sinkage) / outer);
+        let Kinematics { radius: outer, offset, ratio, complement, .. } = *kinematics;
+        let outer_entry = angle_at_depth((offset + sinkage) / outer);
         let middle = 0.5 * (entry + outer_entry);
-        let half_arc = (0.5 * (radius - sinkage) * (outer - radius) / (radius * outer) / middle.sin()).asin();
+        let half_arc = (0.5 * (radius - sinkage) * offset / (radius * outer) / middle.sin()).asin();
         let HalfArc { sin, excess, .. } = HalfArc::of(half_arc);
         let one_minus_cos_middle = 2.0 * (0.5 * middle).sin().powi(2);
         let displacement = 2.0 * outer * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle));

@@ -80,7 +80,7 @@ pub fn torque_against_slip(wheel: &Wheel, contact: &Contact, slip: Slip, sinkage
     let kinematics = Kinematics::of(contact.circles(), wheel, slip);
     let drives = kinematics.skid <= 0.0;
     // 1 − cos of the entry of the circle of the displacement: the depth of that circle over its radius.
-    let depth_ratio = (kinematics.radius - wheel.radius() + sinkage) / kinematics.radius;
+    let depth_ratio = (kinematics.offset + sinkage) / kinematics.radius;
     let behind = contact.params().exit.exit(angle_at_depth(sinkage / wheel.radius()), sinkage / wheel.radius());
     // Behind the mirrored entry the way gathered ahead may be undone.
     let mirrored = 2.0 * (0.5 * behind).sin().powi(2) <= depth_ratio;

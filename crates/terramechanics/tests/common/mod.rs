@@ -3,9 +3,10 @@
 
 use serde_json::Value;
 use terramechanics::{
-    AngleRatio, Bekker, Circles, Contact, ContactParams, Diameter, Direct, ExitRule, ForceModel, Forces, JanosiHanamoto, Lambda,
-    Method, NormalStressRadius, PeakDepth, PeakRule, PressureSinkage, Reece, ShearDisplacementRadius, ShearLaw, SinkageExponent,
-    Slip, SlipRadius, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongPeak, WongReece, WongResidual,
+    AngleRatio, Bekker, Braking, Circles, Contact, ContactParams, Diameter, Direct, ExitRule, ForceModel, Forces, Interface,
+    JanosiHanamoto, Lambda, Method, NormalStressRadius, PeakDepth, PeakRule, PressureSinkage, Reece, ShearDisplacementRadius,
+    ShearLaw, SinkageExponent, SinkageRatio, Slip, SlipRadius, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongPeak,
+    WongReece, WongResidual,
 };
 
 /// The letter's wheel and soil (its Fig. 1b), as parameters to vary.
@@ -52,6 +53,7 @@ pub(crate) fn cases(text: &str) -> Vec<Value> {
 
 pub(crate) const REFERENCE_CASES: &str = include_str!("../reference/reference_cases.json");
 pub(crate) const LUGS: &str = include_str!("../reference/lugs.json");
+pub(crate) const CIRCLES: &str = include_str!("../reference/circles.json");
 pub(crate) const SIDE_FORCE_CASES: &str = include_str!("../reference/side_force_cases.json");
 pub(crate) const EDGE_CASES: &str = include_str!("../reference/edge_cases.json");
 
@@ -76,6 +78,25 @@ fn circles_of(input: &Value) -> Circles {
             other => panic!("no circle {other}"),
         },
     }
+}
+
+fn contact_of(input: &Value, rule: PeakRule) -> Contact {
+    let given = &input["contact"];
+    let exit = match given.get("exit") {
+        Some(exit) => ExitRule::SinkageRatio(SinkageRatio { ratio: number(exit, "ratio", f64::NAN) }),
+        None => ExitRule::AngleRatio(AngleRatio { c3: number(given, "c3", 0.0) }),
+    };
+    let interface = given.get("interface").map(|of| {
+        let value = |name: &str| of.get(name).and_then(Value::as_f64);
+        Interface {
+            friction_angle: value("friction_angle_rad"),
+            adhesion: value("adhesion_pa"),
+            shear_modulus: value("shear_modulus_m"),
+        }
+    });
+    let contact = Contact::new(ContactParams { rule, exit, circles: circles_of(input), interface }).expect("a contact");
+    let is_parted = input.get("braking").is_some_and(|braking| braking == "two_zone");
+    contact.with_braking(if is_parted { Braking::TwoZone } else { Braking::OneZone })
 }
 
 pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
@@ -126,7 +147,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
             lateral_shear_modulus: soil.get("lateral_shear_modulus_m").and_then(Value::as_f64),
             ..SoilParams::BARE
         },
-        contact(peak_rule, number(rule, "c3", 0.0)).with_circles(circles_of(input)),
+        contact_of(input, peak_rule),
     )
 }
 
