@@ -27,6 +27,7 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         Error::NotFinite => "",
         Error::MissingLaw(SoilLaw::PressureSinkage) => "/soil/pressure_sinkage",
         Error::MissingLaw(SoilLaw::Shear) => "/soil/shear",
+        Error::MissingLaw(SoilLaw::GranularStiffness) => "/soil",
         Error::Invalid(fault) => match fault.parameter.name {
             "slip" => "/slip",
             "slip_angle_rad" => "/slip_angle_rad",

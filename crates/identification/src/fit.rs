@@ -38,8 +38,7 @@ const SAME_COST: f64 = 1e-6;
 ///         friction_angle: 0.6,
 ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
 ///         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 747_530.0, exponent })),
-///         unit_weight: None,
-///         lateral_shear_modulus: None,
+///         ..SoilParams::BARE
 ///     },
 ///     contact: ContactParams { rule: PeakRule::Midpoint, ..ContactParams::MIDPOINT },
 ///     model: ForceModel::at_rim(Method::Quadrature),

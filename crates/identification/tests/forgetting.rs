@@ -24,8 +24,7 @@ fn lugged(modulus: f64, contact: ContactParams) -> WheelOnSoil {
         friction_angle: 0.3,
         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e6, exponent })),
-        unit_weight: None,
-        lateral_shear_modulus: None,
+        ..SoilParams::BARE
     };
     WheelOnSoil {
         wheel: Wheel::new(WheelParams { radius: 0.15, width: 0.12, lug_height: 0.008, lug_coefficient: 0.5 }).expect("a wheel"),

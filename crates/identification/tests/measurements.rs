@@ -49,8 +49,7 @@ fn ding(lug_height: f64) -> Setup {
             friction_angle: 31.9_f64.to_radians(),
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.011 })),
             pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: 15_600.0, k_phi: 2_407_400.0, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         },
         contact: ContactParams { circles: Circles::RIM, ..ContactParams::MIDPOINT },
         model: ForceModel::at_rim(Method::Quadrature),

@@ -12,17 +12,18 @@ fn main() {
     divan::main();
 }
 
-const METHODS: [&str; 3] = ["quadrature", "linearised", "explicit"];
+const METHODS: [&str; 4] = ["quadrature", "resistive_force", "linearised", "explicit"];
 
 fn model(name: &str) -> ForceModel {
     ForceModel::at_rim(match name {
         "quadrature" => Method::Quadrature,
+        "resistive_force" => Method::ResistiveForce,
         "linearised" => Method::LINEARISED,
         _ => Method::EXPLICIT,
     })
 }
 
-/// The letter's wheel and soil (its Fig. 1b).
+/// The letter's wheel and soil (its Fig. 1b), with a density of dry sand.
 fn system() -> WheelOnSoil {
     let exponent = SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None };
     WheelOnSoil {
@@ -32,8 +33,8 @@ fn system() -> WheelOnSoil {
             friction_angle: 0.478,
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
             pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            bulk_density: Some(1600.0),
+            ..SoilParams::BARE
         })
         .expect("a soil"),
         contact: Contact::MIDPOINT,

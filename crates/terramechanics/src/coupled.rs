@@ -21,11 +21,12 @@
 use crate::caution::{Caution, DEEP_SINKAGE, NEGATIVE_NORMAL_STRESS, SLIP_BEYOND_COUPLED_TESTS};
 use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
+use crate::motion::Heading;
 use crate::outcome::system_cautions;
 use crate::patch::ContactPatch;
-use crate::pull_from_torque::{pull_from_torque, torque_against_slip};
+use crate::pull_from_torque::{CoupledForces, pull_from_torque, torque_against_slip};
 use crate::rolling::{Rolling, WheelOnSoil};
-use crate::slip::{Heading, Slip};
+use crate::slip::Slip;
 use crate::track::Measured;
 
 /// Least share of the support by the normal stress that the shear stress of a braking wheel may leave: with less, the difference
@@ -41,19 +42,6 @@ pub struct Coupled {
     pub torque: Option<f64>,
     /// The radius at which the normal stress acts.
     pub normal_stress_radius: NormalStressRadius,
-}
-
-/// Forces that follow from those that are known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoupledForces {
-    /// Longitudinal force F_x, the drawbar pull (N).
-    pub longitudinal: f64,
-    /// Torque T (N·m): the one measured, else what follows from the load.
-    pub torque: f64,
-    /// Normal stress σm at the peak (Pa) that load and torque leave.
-    pub peak_normal_stress: f64,
-    /// Shear stress τm at the peak (Pa) that the torque shows.
-    pub peak_shear_stress: f64,
 }
 
 impl Coupled {
@@ -74,8 +62,7 @@ impl Coupled {
     ///         friction_angle: 0.478,
     ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
     ///         pressure_sinkage: None, // it cancels
-    ///         unit_weight: None,
-    ///         lateral_shear_modulus: None,
+    ///         ..SoilParams::BARE
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };

@@ -131,6 +131,8 @@ pub enum SoilLaw {
     PressureSinkage,
     /// A shear law.
     Shear,
+    /// A granular stiffness, or a bulk density and the friction from which one follows.
+    GranularStiffness,
 }
 
 impl SoilLaw {
@@ -140,6 +142,7 @@ impl SoilLaw {
         match self {
             Self::PressureSinkage => "pressure_sinkage",
             Self::Shear => "shear",
+            Self::GranularStiffness => "granular_stiffness_n_m3",
         }
     }
 }
@@ -252,6 +255,9 @@ impl fmt::Display for Error {
             ),
             Self::MissingLaw(SoilLaw::PressureSinkage) => write!(f, "the soil has no pressure–sinkage law"),
             Self::MissingLaw(SoilLaw::Shear) => write!(f, "the soil has no shear law"),
+            Self::MissingLaw(SoilLaw::GranularStiffness) => {
+                write!(f, "the soil has no granular stiffness, nor a bulk density and a friction angle above 0 that give one")
+            }
             Self::NotFinite => write!(f, "the result overflows: the inputs are too large or too small together"),
         }
     }

@@ -20,10 +20,12 @@
 //! The load of a rover's wheel is known at least as well as its sinkage. As printed, the letter's forces from slip alone let F_z drift
 //! with slip by 60 to 180 % of a load that in truth is constant (seven public sets of single-wheel tests).
 //!
+//! By the resistive force method the load takes the place of the granular stiffness ξ, to which all of its forces are proportional.
+//!
 //! Refused: a load that cohesion alone carries, and a braking wheel whose shear stress takes away what the normal stress supports.
 
 use crate::error::Error;
-use crate::forces::{ForceModel, Forces, Method};
+use crate::forces::{ForceModel, Forces, Method, resistive};
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
 use crate::rolling::WheelOnSoil;
@@ -39,6 +41,8 @@ pub struct LoadedForces {
     /// Pressure over depth that the load shows: the modulus is a measurement of the soil in place. None where the soil has no
     /// exponent, which only closed forms do without.
     pub curve: Option<PressureCurve>,
+    /// Granular stiffness ξ (N/m³) that the load shows, by the resistive force method.
+    pub granular_stiffness: Option<f64>,
 }
 
 impl ForceModel {
@@ -60,8 +64,7 @@ impl ForceModel {
     ///         friction_angle: 0.478,
     ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
     ///         pressure_sinkage: None,
-    ///         unit_weight: None,
-    ///         lateral_shear_modulus: None,
+    ///         ..SoilParams::BARE
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };
@@ -75,13 +78,16 @@ impl ForceModel {
     /// ```
     pub fn forces_under(&self, patch: &ContactPatch<'_>, load: f64) -> Result<LoadedForces, Error> {
         WheelOnSoil::NORMAL_LOAD.check(load).map_err(Error::Invalid)?;
+        if self.method == Method::ResistiveForce {
+            return in_grains_under(patch, load);
+        }
         self.check(patch)?;
         let loaded = match self.closed_form(patch) {
             Some(form) => {
                 let normal = form.normal_stress_under(load)?;
                 let exponent = patch.rolling.curve().ok().map(|curve| curve.exponent);
                 let curve = exponent.map(|exponent| PressureCurve { modulus: normal / form.depth.powf(exponent), exponent });
-                LoadedForces { forces: form.forces(normal), curve }
+                LoadedForces { forces: form.forces(normal), curve, granular_stiffness: None }
             }
             None => self.integrated_under(patch, load)?,
         };
@@ -108,12 +114,27 @@ impl ForceModel {
                 let rolling = patch.rolling.pressed_by(curve, cohesion);
                 self.forces(&patch.with(&rolling))?
             }
-            Method::Quadrature | Method::Linearised { .. } | Method::Explicit { .. } => {
+            Method::Quadrature | Method::Linearised { .. } | Method::Explicit { .. } | Method::ResistiveForce => {
                 let forces = frictional.scaled(modulus);
                 cohesive.map_or(forces, |cohesive| forces.plus(&cohesive))
             }
         };
-        Ok(LoadedForces { forces, curve: Some(curve) })
+        Ok(LoadedForces { forces, curve: Some(curve), granular_stiffness: None })
+    }
+}
+
+/// The same by the resistive force method, whose forces are proportional to the granular stiffness.
+fn in_grains_under(patch: &ContactPatch<'_>, load: f64) -> Result<LoadedForces, Error> {
+    let per_stiffness = resistive::forces_per_stiffness(patch.rolling, patch.sinkage)?;
+    if per_stiffness.normal < LEAST_SUPPORT * per_stiffness.normal_scale() {
+        return Err(Error::LoadNotCoupled { support: per_stiffness.normal / per_stiffness.components.normal_support });
+    }
+    let stiffness = load / per_stiffness.normal;
+    let forces = per_stiffness.scaled(stiffness);
+    if forces.is_finite() && stiffness.is_finite() {
+        Ok(LoadedForces { forces, curve: None, granular_stiffness: Some(stiffness) })
+    } else {
+        Err(Error::NotFinite)
     }
 }
 

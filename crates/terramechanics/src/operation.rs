@@ -2,7 +2,7 @@
 
 use crate::contact::Angles;
 use crate::error::Error;
-use crate::forces::{ForceModel, Forces};
+use crate::forces::{ForceModel, Forces, Method};
 use crate::known_load::LoadedForces;
 use crate::pressure_sinkage::PressureCurve;
 use crate::rolling::{Rolling, WheelOnSoil};
@@ -123,9 +123,11 @@ pub struct OperatingPoint {
     pub sinkage: f64,
     /// Characteristic angles.
     pub angles: Angles,
-    /// Pressure over depth under the wheel: the soil's, or what the load shows. None where a closed form under a known load does
-    /// without, on a soil that has no exponent.
+    /// Pressure over depth under the wheel: the soil's, or what the load shows. None by the resistive force method, and where a closed
+    /// form under a known load does without, on a soil that has no exponent.
     pub curve: Option<PressureCurve>,
+    /// Granular stiffness ξ (N/m³) by the resistive force method: the soil's, or what the load shows. None by another method.
+    pub granular_stiffness: Option<f64>,
     /// What the normal stress follows from.
     pub normal_stress_from: NormalStressFrom,
     /// The forces on a wheel that moves forward.
@@ -148,6 +150,9 @@ impl Operation {
         if let Sinkage::UnderLoad { sinkage, load } = *sinkage {
             return self.under_load(slip, &sinkage, load);
         }
+        if self.model.method == Method::ResistiveForce {
+            return self.in_grains(slip, sinkage);
+        }
         let rolling = self.system.rolling(slip)?;
         let curve = *rolling.curve()?;
         let (sinkage, solved) = self.found(&rolling, sinkage)?;
@@ -157,18 +162,38 @@ impl Operation {
             None => self.model.forces(&patch)?,
         };
         let (angles, normal_stress_from) = (patch.angles, NormalStressFrom::Soil);
-        Ok(OperatingPoint { slip, sinkage, angles, curve: Some(curve), normal_stress_from, forces })
+        Ok(OperatingPoint { slip, sinkage, angles, curve: Some(curve), granular_stiffness: None, normal_stress_from, forces })
+    }
+
+    /// The same by the resistive force method. Apart, so that other points do not carry its code along.
+    #[inline(never)]
+    fn in_grains(&self, slip: Slip, sinkage: &Sinkage) -> Result<OperatingPoint, Error> {
+        let rolling = self.model.rolling(&self.system, slip)?;
+        let (sinkage, solved) = self.found(&rolling, sinkage)?;
+        let patch = self.model.contact(&rolling, sinkage)?;
+        let forces = match solved {
+            Some(forces) => forces,
+            None => self.model.forces(&patch)?,
+        };
+        let (angles, granular_stiffness) = (patch.angles, self.system.soil.granular_stiffness());
+        let normal_stress_from = NormalStressFrom::Soil;
+        Ok(OperatingPoint { slip, sinkage, angles, curve: None, granular_stiffness, normal_stress_from, forces })
     }
 
     /// The same of a wheel whose load is known too. Apart, so that other points do not carry its code along.
     #[inline(never)]
     fn under_load(&self, slip: Slip, sinkage: &KnownSinkage, load: f64) -> Result<OperatingPoint, Error> {
-        let rolling = self.system.rolling_under_load(slip)?;
+        let rolling = match self.model.method {
+            Method::ResistiveForce => self.model.rolling(&self.system, slip)?,
+            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => {
+                self.system.rolling_under_load(slip)?
+            }
+        };
         let sinkage = sinkage.at(slip);
-        let patch = rolling.contact(sinkage)?;
-        let LoadedForces { forces, curve } = self.model.forces_under(&patch, load)?;
+        let patch = self.model.contact(&rolling, sinkage)?;
+        let LoadedForces { forces, curve, granular_stiffness } = self.model.forces_under(&patch, load)?;
         let (angles, normal_stress_from) = (patch.angles, NormalStressFrom::Load);
-        Ok(OperatingPoint { slip, sinkage, angles, curve, normal_stress_from, forces })
+        Ok(OperatingPoint { slip, sinkage, angles, curve, granular_stiffness, normal_stress_from, forces })
     }
 
     /// Normal force F_z (N) at the standstill, from which that of a wheel drifts whose sinkage follows from a static one and whose
@@ -181,7 +206,7 @@ impl Operation {
         }
     }
 
-    /// The sinkage (m) of the wheel as it rolls, and the forces where finding it has found them too.
+    /// The sinkage (m) of the wheel as it rolls by the method ([`ForceModel::rolling`]), and the forces where finding it has found them too.
     ///
     /// # Errors
     /// What [`ForceModel::solve_sinkage`] refuses.
@@ -200,7 +225,7 @@ impl Operation {
             }
             Sinkage::UnderLoad { sinkage, load } => {
                 let sinkage = sinkage.at(rolling.slip);
-                let loaded = self.model.forces_under(&rolling.contact(sinkage)?, load)?;
+                let loaded = self.model.forces_under(&self.model.contact(rolling, sinkage)?, load)?;
                 Ok((sinkage, Some(loaded.forces)))
             }
         }

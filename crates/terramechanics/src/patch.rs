@@ -85,6 +85,22 @@ impl Rolling<'_> {
     }
 }
 
+impl Rolling<'_> {
+    /// The contact of the leading edge at `sinkage` z (m), with its peak where `peak` (rad) says.
+    ///
+    /// # Errors
+    /// [`Error::SinkageOutsideWheel`] unless 0 < z ≤ r.
+    pub(crate) fn leading_contact(&self, sinkage: f64, peak: f64) -> Result<ContactPatch<'_>, Error> {
+        let radius = self.system.wheel.radius();
+        if !(sinkage > 0.0 && sinkage <= radius) {
+            return Err(Error::SinkageOutsideWheel { sinkage, radius });
+        }
+        let depth_ratio = sinkage / radius;
+        let angles = Angles { entry: angle_at_depth(depth_ratio), peak, exit: 0.0 };
+        Ok(ContactPatch { rolling: self, sinkage, angles, entry: RimEntry::at_depth(depth_ratio), lead: Lead::NONE })
+    }
+}
+
 impl ContactPatch<'_> {
     /// The same contact of a wheel that differs in the pressure and the strength of its soil alone.
     pub(crate) fn with<'b>(&self, rolling: &'b Rolling<'b>) -> ContactPatch<'b> {

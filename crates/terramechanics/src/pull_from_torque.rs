@@ -17,13 +17,25 @@ use crate::braking::Braking;
 use crate::caution::{Caution, TORQUE_AGAINST_SLIP};
 use crate::circles::Kinematics;
 use crate::contact::{Contact, angle_at_depth};
-use crate::coupled::CoupledForces;
 use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
 use crate::track::Measured;
 use crate::wheel::Wheel;
+
+/// Forces that follow from those that are known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoupledForces {
+    /// Longitudinal force F_x, the drawbar pull (N).
+    pub longitudinal: f64,
+    /// Torque T (N·m): the one measured, else what follows from the load.
+    pub torque: f64,
+    /// Normal stress σm at the peak (Pa) that load and torque leave.
+    pub peak_normal_stress: f64,
+    /// Shear stress τm at the peak (Pa) that the torque shows.
+    pub peak_shear_stress: f64,
+}
 
 /// What follows from the torque and the load of a wheel that moves forward, in a contact of that shape.
 ///

@@ -1,14 +1,15 @@
 //! What holds for a wheel at its slip, however deep it sinks? Its motion, and the laws of its soil.
 
 use crate::circles::Kinematics;
-use crate::contact::{Contact, Strength};
+use crate::contact::Contact;
 use crate::error::{Error, SoilLaw};
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::pressure_sinkage::{Plate, PressureCurve};
-use crate::shear::ShearLaw;
+use crate::shear::{JanosiHanamoto, ShearLaw};
 use crate::slip::Slip;
 use crate::soil::Soil;
+use crate::strength::Strength;
 use crate::wheel::Wheel;
 
 /// A wheel on a soil, touching it in a given way.
@@ -137,6 +138,15 @@ impl WheelOnSoil {
         let strength = Strength::of(&self.soil, self.contact.params().interface.as_ref())?;
         let reversal = self.contact.braking().reversal(kinematics.skid, self.soil.tan_friction());
         Ok(Rolling { system: self, slip, shear, curve, kinematics, strength, reversal })
+    }
+
+    /// The wheel rolling at `slip` in grains: neither the laws of the soil nor the zones of braking have a part in it. What needs a law
+    /// all the same finds no number.
+    pub(crate) fn rolling_in_grains(&self, slip: Slip) -> Rolling<'_> {
+        static NO_LAW: ShearLaw = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: f64::NAN });
+        let strength = Strength { shear_scale: f64::NAN, per_shear_scale: f64::NAN, ..self.soil.strength() };
+        let kinematics = self.kinematics(slip);
+        Rolling { system: self, slip, shear: &NO_LAW, curve: None, kinematics, strength, reversal: None }
     }
 
     /// The motion at `slip` of the circle on which the shear displacement is counted.

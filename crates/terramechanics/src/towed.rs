@@ -65,10 +65,20 @@ impl WheelOnSoil {
     /// The wheel rolling freely under `load` (N), by the quadrature with the normal stress at the rim.
     ///
     /// # Errors
+    /// What [`ForceModel::solve_towed`] refuses.
+    pub fn solve_towed(&self, load: f64) -> Result<Towed, Error> {
+        ForceModel::at_rim(Method::Quadrature).solve_towed(self, load)
+    }
+}
+
+impl ForceModel {
+    /// The wheel of `system` rolling freely under `load` (N).
+    ///
+    /// # Errors
     /// What [`ForceModel::solve_sinkage`] refuses at every skid; [`Error::NotFreeRolling`] where the torque does not pass 0 at
     /// any skid at which it can be found, as on a soil without shear strength.
-    pub fn solve_towed(&self, load: f64) -> Result<Towed, Error> {
-        let mut search = Search { system: self, load, balances: 0 };
+    pub fn solve_towed(&self, system: &WheelOnSoil, load: f64) -> Result<Towed, Error> {
+        let mut search = Search { model: self, system, load, balances: 0 };
         let (less, more) = search.bracket()?;
         let sample = |trial: &Trial| Sample { x: trial.skid, y: trial.torque() };
         let found = bracketed_root(|skid| Ok(search.at(skid)?.torque()), sample(&less), sample(&more), TOLERANCE)?;
@@ -97,6 +107,7 @@ impl Trial {
 }
 
 struct Search<'a> {
+    model: &'a ForceModel,
     system: &'a WheelOnSoil,
     load: f64,
     balances: u32,
@@ -107,9 +118,10 @@ impl Search<'_> {
     fn at(&mut self, skid: f64) -> Result<Trial, Error> {
         self.balances += 1;
         let WheelOnSoil { wheel, contact, .. } = self.system;
-        let rolling = self.system.rolling(Slip::new(Kinematics::slip_ratio_at(contact.circles(), wheel, skid))?)?;
-        let carried = ForceModel::at_rim(Method::Quadrature).solve_sinkage(&rolling, self.load)?;
-        let angles = rolling.contact(carried.sinkage)?.angles;
+        let slip = Slip::new(Kinematics::slip_ratio_at(contact.circles(), wheel, skid))?;
+        let rolling = self.model.rolling(self.system, slip)?;
+        let carried = self.model.solve_sinkage(&rolling, self.load)?;
+        let angles = self.model.contact(&rolling, carried.sinkage)?.angles;
         let towed =
             Towed { slip: rolling.slip, sinkage: carried.sinkage, angles, forces: carried.forces, balances: self.balances };
         Ok(Trial { skid, towed })

@@ -279,8 +279,7 @@ prop_compose! {
                 friction_angle,
                 shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 10f64.powf(log_shear_modulus) })),
                 pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 10f64.powf(log_modulus), exponent })),
-                unit_weight: None,
-                lateral_shear_modulus: None,
+                ..SoilParams::BARE
             },
             contact: contact(PeakRule::Midpoint, exit_ratio).with_circles(Circles::RIM), // as the paper has it
             depth_ratio: 10f64.powf(log_depth),

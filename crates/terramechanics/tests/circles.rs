@@ -44,7 +44,7 @@ fn lugged() -> WheelOnSoil {
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.0114 })),
             pressure_sinkage: Some(PressureSinkage::Bekker(law)),
             unit_weight: Some(1.5e4),
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         },
         Contact::MIDPOINT,
     )

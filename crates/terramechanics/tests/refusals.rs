@@ -216,8 +216,7 @@ fn the_largest_load_of_a_locked_wheel_is_the_largest_and_all_below_it_are_carrie
                 k_s: 1e6,
                 exponent: SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None },
             })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         })
         .expect("a soil"),
         ..letter()

@@ -17,8 +17,7 @@ pub(crate) fn truth(method: Method, sinkage: SinkageSource) -> Setup {
             friction_angle: 0.55,
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 })),
             pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 9e5, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         },
         contact: ContactParams {
             rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }),

@@ -2,6 +2,7 @@
 //! range, and what to do beyond it.
 
 use super::{CautionKind, TestedRange};
+use crate::gravity::STANDARD_GRAVITY;
 use crate::pressure_sinkage::{NEGATIVE_COHESIVE_MODULUS, SMALL_WHEEL};
 use crate::soil::Soil;
 use crate::wheel::Wheel;
@@ -11,9 +12,6 @@ const LARGEST_SINKAGE_RATIO: f64 = 30.0 / 90.0;
 
 /// Sinkage over diameter (–) up to which Bekker's estimates were found good (Wong, Theory of Ground Vehicles, ch. 2).
 const MODERATE_DEPTH: f64 = 1.0 / 6.0;
-
-/// Gravity (m/s²) of the tests, the standard acceleration (3rd General Conference on Weights and Measures, 1901).
-const EARTH_GRAVITY: f64 = 9.80665;
 
 /// Estimate of the relative integration error above which a result says so.
 const LARGEST_INTEGRATION_ERROR: f64 = 1e-9;
@@ -44,11 +42,11 @@ kinds! {
         meaning: "The laws of pressure and shear were tested in Earth gravity. How sinkage changes in a lower gravity \
                   is an open question.",
         advice: "Allow a margin on the sinkage.",
-        parameter: None,
+        parameter: Some(&Soil::GRAVITY),
         range: Some(TestedRange {
             quantity: "gravity",
             unit: "m/s2",
-            lower: Some(EARTH_GRAVITY),
+            lower: Some(STANDARD_GRAVITY),
             upper: None,
             source: "Kobayashi et al. 2010, Wong 2012",
         }),

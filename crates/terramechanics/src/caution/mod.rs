@@ -13,19 +13,16 @@ macro_rules! kinds {
     };
 }
 
+mod grain_kinds;
 mod kinds;
+mod list;
 mod load_kinds;
 mod slip_kinds;
 
-pub(crate) use kinds::{
-    BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, DEEP_SINKAGE, INTEGRATION_ERROR, LOW_GRAVITY, LUG_HEIGHT_ASSUMED,
-    PEAK_RULE_SET_ASIDE, SINKAGE_BEYOND_ESTIMATES,
-};
-pub(crate) use load_kinds::{LOAD_RESIDUAL, NEGATIVE_NORMAL_STRESS, NORMAL_FORCE_DRIFTS, TORQUE_AGAINST_SLIP};
-pub(crate) use slip_kinds::{
-    LINEAR_SLIP_SINKAGE_EXTRAPOLATED, SLIP_BEYOND_COUPLED_TESTS, SLIP_BEYOND_FIT, SLIP_BEYOND_LINEAR, SLIP_BEYOND_LYASKO,
-    SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED, SLIP_GAIN_UNUSED, SLIP_SINKAGE_EXTRAPOLATED,
-};
+pub(crate) use grain_kinds::*;
+pub(crate) use kinds::*;
+pub(crate) use load_kinds::*;
+pub(crate) use slip_kinds::*;
 
 use crate::parameter::Parameter;
 
@@ -69,13 +66,6 @@ pub struct TestedRange {
 }
 
 impl Caution {
-    /// Everything that is watched.
-    pub const KINDS: &'static [&'static CautionKind] = {
-        const PARTS: [&[&CautionKind]; 3] = [kinds::KINDS, slip_kinds::KINDS, load_kinds::KINDS];
-        const COUNT: usize = PARTS[0].len() + PARTS[1].len() + PARTS[2].len();
-        &joined::<COUNT>(PARTS)
-    };
-
     /// How far the value is outside the range, in the unit of the quantity.
     #[must_use]
     pub fn excess(&self) -> f64 {
@@ -97,20 +87,4 @@ impl CautionKind {
     pub(crate) fn when(&'static self, is_so: bool) -> Option<Caution> {
         is_so.then_some(Caution { kind: self, value: 0.0 })
     }
-}
-
-/// The kinds of all parts, one after another.
-const fn joined<const COUNT: usize>(parts: [&'static [&'static CautionKind]; 3]) -> [&'static CautionKind; COUNT] {
-    let mut all = [parts[0][0]; COUNT];
-    let (mut part, mut place) = (0, 0);
-    while part < parts.len() {
-        let mut i = 0;
-        while i < parts[part].len() {
-            all[place] = parts[part][i];
-            place += 1;
-            i += 1;
-        }
-        part += 1;
-    }
-    all
 }

@@ -3,7 +3,6 @@
 use super::{CautionKind, TestedRange};
 use crate::pressure_sinkage::SinkageExponent;
 use crate::rolling::WheelOnSoil;
-use crate::slip_sinkage::LinearSlipSinkage;
 
 /// Largest slip (–) of the single-wheel tests to which slip gains were fitted (Ding et al. 2010, 2011).
 const LARGEST_FITTED_SLIP: f64 = 0.6;
@@ -104,14 +103,8 @@ kinds! {
         meaning: "The linear slip–sinkage law was written for driving wheels and is applied to a braking one, because no skid gain is \
                   given. It lets that rise where measured wheels sink (Pavlov & Johnson 2024).",
         advice: "Give a skid gain, or the sinkage itself or the load instead of a static sinkage.",
-        parameter: Some(&LinearSlipSinkage::SKID_GAIN),
-        range: Some(TestedRange {
-            quantity: "slip",
-            unit: "1",
-            lower: Some(0.0),
-            upper: None,
-            source: "Lines 2021",
-        }),
+        parameter: Some(&WheelOnSoil::STATIC_SINKAGE),
+        range: Some(TestedRange { quantity: "slip", unit: "1", lower: Some(0.0), upper: None, source: "Lines 2021" }),
     };
     SLIP_GAIN_UNUSED = CautionKind {
         code: "slip_gain_unused",

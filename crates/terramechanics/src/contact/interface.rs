@@ -17,6 +17,7 @@
 use crate::error::Error;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::soil::Soil;
+use crate::strength::Strength;
 
 /// What the interface of a rim has in place of the soil; what is absent is the soil's.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -71,18 +72,6 @@ impl Parametrised for Interface {
     fn values(&self) -> Vec<Option<f64>> {
         vec![self.friction_angle, self.adhesion, self.shear_modulus]
     }
-}
-
-/// What shears along the rim: the soil, or its interface with the rim.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Strength {
-    /// c or c_a (Pa).
-    pub(crate) cohesion: f64,
-    /// tan φ or tan δ (–).
-    pub(crate) tan_friction: f64,
-    /// Displacement (m) by which the shear law scales, and its reciprocal; NaN without a law.
-    pub(crate) shear_scale: f64,
-    pub(crate) per_shear_scale: f64,
 }
 
 impl Strength {

@@ -11,7 +11,6 @@ mod wong_reece;
 pub use exit::{AngleRatio, ExitRule, SinkageRatio};
 pub use half_sinkage::HalfSinkage;
 pub use interface::Interface;
-pub(crate) use interface::Strength;
 pub use midpoint::Midpoint;
 pub use wong_reece::WongReece;
 

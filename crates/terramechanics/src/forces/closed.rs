@@ -25,7 +25,7 @@ impl ForceModel {
     #[inline]
     pub(crate) fn closed_form<'a>(&self, patch: &'a ContactPatch<'a>) -> Option<ClosedForm<'a>> {
         let (peak_depth, shape) = match self.method {
-            Method::Quadrature | Method::SideSlipping(_) => return None,
+            Method::Quadrature | Method::SideSlipping(_) | Method::ResistiveForce => return None,
             Method::Linearised { peak_depth } => (peak_depth, ShapeIntegrals::of(&patch.angles)),
             Method::Explicit { peak_depth, lambda_a, lambda_b } => {
                 (peak_depth, explicit::approximate_shape(patch, lambda_a, lambda_b))

@@ -73,8 +73,7 @@ mod tests {
                 friction_angle: phi,
                 shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
                 pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s, exponent })),
-                unit_weight: None,
-                lateral_shear_modulus: None,
+                ..SoilParams::BARE
             })
             .expect("a soil"),
             contact: Contact::MIDPOINT,

@@ -108,6 +108,9 @@ pub enum Method {
         /// λ_B of Eq. (14b).
         lambda_b: Lambda,
     },
+    /// The resistive force method of dry grains (Li, Zhang & Goldman 2013): neither the laws of the soil nor the rules of the contact
+    /// have a part in it.
+    ResistiveForce,
 }
 
 impl Method {
@@ -122,7 +125,7 @@ impl Method {
     pub fn is_closed_form(&self) -> bool {
         match self {
             Self::Linearised { .. } | Self::Explicit { .. } => true,
-            Self::Quadrature | Self::SideSlipping(_) => false,
+            Self::Quadrature | Self::SideSlipping(_) | Self::ResistiveForce => false,
         }
     }
 }

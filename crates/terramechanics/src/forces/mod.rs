@@ -1,8 +1,10 @@
 //! What forces and torque does the soil exert on the wheel? (letter, Eqs. 10–17)
 //!
-//! Three ways: [`quadrature`] of the stresses (Eq. 10), the linearised stresses in [`closed`] form (Shibly et al. 2005, source 16;
+//! By the letter three ways: [`quadrature`] of the stresses (Eq. 10), the linearised stresses in [`closed`] form (Shibly et al. 2005, source 16;
 //! Eqs. 7, 11, 12), and the letter's own [`explicit`] formulas (Eqs. 14–17). Linear stresses hold for contacts of one zone; the
 //! power law of the pressure is rounder than a triangle, so that they carry less than the quadrature with the peak at the midpoint.
+//!
+//! Beside these, [`resistive`]: the same integrals over the stresses of the resistive force method.
 //!
 //! Departures from the letter as printed, with the number of the erratum: the normal stress acts at the rim unless asked
 //! otherwise (3); the normal force is the sum of both parts (4); the torque's integral starts at the exit (5); the torque
@@ -13,6 +15,7 @@ mod explicit;
 mod method;
 mod panels;
 mod quadrature;
+pub(crate) mod resistive;
 mod shape;
 mod side;
 
@@ -24,9 +27,10 @@ use crate::circles::SlipRadius;
 use crate::error::Error;
 use crate::fault::Fault;
 use crate::lateral::SideForce;
+use crate::motion::Heading;
 use crate::patch::ContactPatch;
 use crate::rim::RimPoint;
-use crate::slip::{Heading, Slip};
+use crate::slip::Slip;
 use crate::stress::{StressField, Stresses};
 use crate::wheel::Wheel;
 
@@ -56,7 +60,8 @@ impl ForceModel {
     ///
     /// # Errors
     /// [`Error::Invalid`] for a λ that is not finite, [`Error::ClosedFormOfTwoZones`] for a closed form of a braking wheel
-    /// with two zones, [`Error::SlipAngleOfTwoZones`] for a slip angle of one, [`Error::NotFinite`] where a result overflows.
+    /// with two zones, [`Error::SlipAngleOfTwoZones`] for a slip angle of one, [`Error::MissingLaw`] for what the method needs of
+    /// the soil, [`Error::NotFinite`] where a result overflows.
     ///
     /// ```
     /// use terramechanics::*;
@@ -72,8 +77,7 @@ impl ForceModel {
     ///             k_phi: 754_130.0,
     ///             exponent: SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None },
     ///         })),
-    ///         unit_weight: None,
-    ///         lateral_shear_modulus: None,
+    ///         ..SoilParams::BARE
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };
@@ -86,6 +90,9 @@ impl ForceModel {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<Forces, Error> {
+        if self.method == Method::ResistiveForce {
+            return resistive::forces_in_grains(patch.rolling, patch.sinkage);
+        }
         self.check(patch)?;
         let stresses = &patch.stresses()?;
         let forces = match (self.method, self.closed_form(patch)) {
@@ -112,7 +119,7 @@ impl ForceModel {
                 }
                 Ok(())
             }
-            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } => Ok(()),
+            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::ResistiveForce => Ok(()),
         }
     }
 }

@@ -24,11 +24,11 @@ pub use tally::{CautionTally, CulpritTally, Tally};
 use crate::error::Error;
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::fault::InvalidInput;
+use crate::motion::Heading;
 use crate::operation::{Operation, Sinkage};
 use crate::outcome::cautions_with_sinkage;
 use crate::pull_from_torque::torque_against_slip;
 use crate::rolling::WheelOnSoil;
-use crate::slip::Heading;
 use reached::{Reached, Uncoupled};
 use refusal::{Refused, present};
 use tally::CompensatedSum;
@@ -78,8 +78,7 @@ impl Tracker {
     /// #         friction_angle: 0.478,
     /// #         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
     /// #         pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent })),
-    /// #         unit_weight: None,
-    /// #         lateral_shear_modulus: None,
+    /// #         ..SoilParams::BARE
     /// #     })?,
     /// #     contact: Contact::MIDPOINT,
     /// # };

@@ -2,12 +2,14 @@
 
 use super::refusal::{Refused, positive, present};
 use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
-use crate::coupled::{Coupled, CoupledForces};
+use crate::coupled::Coupled;
 use crate::error::Error;
+use crate::motion::{Heading, Motion};
 use crate::operation::{KnownSinkage, Sinkage};
 use crate::outcome::Outcome;
+use crate::pull_from_torque::CoupledForces;
 use crate::rolling::WheelOnSoil;
-use crate::slip::{Heading, Motion, Slip};
+use crate::slip::Slip;
 
 /// The result of a good sample.
 pub(super) struct Reached {

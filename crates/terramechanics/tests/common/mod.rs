@@ -18,8 +18,7 @@ pub(crate) const LETTER_SOIL: SoilParams = SoilParams {
     friction_angle: 0.478,
     shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
     pressure_sinkage: Some(PressureSinkage::Bekker(LETTER_LAW)),
-    unit_weight: None,
-    lateral_shear_modulus: None,
+    ..SoilParams::BARE
 };
 
 pub(crate) fn system(wheel: WheelParams, soil: SoilParams, contact: Contact) -> WheelOnSoil {
@@ -146,6 +145,7 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
             pressure_sinkage: Some(pressure_sinkage),
             unit_weight: soil.get("unit_weight_n_m3").and_then(Value::as_f64),
             lateral_shear_modulus: soil.get("lateral_shear_modulus_m").and_then(Value::as_f64),
+            ..SoilParams::BARE
         },
         contact_of(input, peak_rule),
     )
