@@ -21,6 +21,7 @@ pub(crate) use words::{Reason, number};
 
 use serde::{Serialize, Serializer};
 use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};
+use terramechanics_reading::Assumption;
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
@@ -266,6 +267,12 @@ impl ToSchema for Warning {
     fn schemas(found: &mut Vec<(String, RefOr<Schema>)>) {
         WarningBody::schemas(found);
     }
+}
+
+/// What is to be said where values were assumed.
+pub(crate) fn of_assumptions(assumptions: &[Assumption]) -> Option<Warning> {
+    let value = |one: &Assumption| (one.field.clone(), one.value);
+    (!assumptions.is_empty()).then(|| Finding::AssumedValues { values: assumptions.iter().map(value).collect() }.into())
 }
 
 /// The finding that rows have no solution, because of `error`, which belongs to the field at `pointer`.

@@ -83,6 +83,14 @@ findings! { many;
         format!("{} is {value}, far {side} value of the catalogue, {extreme}. Check its unit.", extent.quantity)
     };
 
+    "assumed_values" AssumedValues { values: Vec<(String, f64)> }
+    means "Values of a preset that were never published were assumed, as the request allowed: which, and with what value. The answer lists under `assumed` where each comes from."
+    field "/assume",
+    says {
+        let values: Vec<String> = values.iter().map(|(field, value)| format!("`{field}` = {}", number(*value))).collect();
+        format!("never published and assumed: {}. Send these values where they are known.", listed(&values))
+    };
+
     "no_solution" NoSolution { reason: Reason, pointer: &'static str }
     means "Points of a sweep or samples of a track have no solution: which, and why the first has none."
     about reason.measure(),

@@ -1,6 +1,7 @@
 //! The service as its clients see it, and the program as its operators do.
 
 mod asking;
+mod assume;
 mod braking;
 mod catalogue;
 mod compare;

@@ -45,4 +45,8 @@ impl Reply for TowedReply {
     fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
+    }
 }

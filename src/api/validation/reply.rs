@@ -148,4 +148,8 @@ impl Reply for ValidationSet {
     fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
+    }
 }

@@ -11,7 +11,6 @@ use crate::request::sinkage::{self, SINKAGE};
 use crate::request::soil::Needs;
 use crate::request::system::{self, SYSTEM};
 use crate::request::{Documented, Request, operation};
-use crate::words::HINTS;
 use variant::VARIANTS;
 
 const METHODS_FIELD: Field<Words<MethodName>> = Field::new(
@@ -94,8 +93,9 @@ impl Request for CompareCase {
 
 /// The operations of the request as it stands, and what is wrong with them.
 fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFault>) {
-    let faults = Faults::new(&HINTS);
+    let faults = Faults::apart(object.place());
     let operations = operations(&object.at(Scope::root(&faults)), None);
+    object.place().assume_all(faults.assumptions().unwrap_or_default());
     (operations, faults.into_list())
 }
 
