@@ -13,7 +13,7 @@ mod table;
 mod words;
 
 pub(crate) use gather::{RowCautions, gathered, shared_warnings};
-pub(crate) use pieces::{BeyondRange, gap_in_words};
+pub(crate) use pieces::{BeyondRange, gap_code, gap_in_words};
 pub(crate) use place::Rows;
 pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};
@@ -164,8 +164,14 @@ struct WarningBody {
     /// Kind of the warning, for programs; /v1/model lists them all.
     #[schema(example = "small_wheel")]
     code: &'static str,
-    /// The warning in words: what holds where, and what to do.
+    /// The warning in words: the place for which it holds, if there is one, `finding` and `advice`.
     detail: String,
+    /// What holds, in the units of the API: for whom shows it in other units, `quantity`, `value` and `range` have the figures.
+    #[schema(example = "diameter is 0.4 m, below 0.5 m (Meirion-Griffith & Spenko 2011).")]
+    finding: String,
+    /// What that means and what to do. It has no figure that depends on the request.
+    #[schema(example = "Check its unit.")]
+    advice: String,
     /// The range that a quantity leaves, if the warning is about one.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
@@ -178,10 +184,26 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     value: Option<f64>,
+    /// True where the values of several rows differ, and `value` is the one furthest out.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[schema(required = false)]
+    varies: bool,
+    /// The end of its bounds at which the value lies, where it lies at one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false, example = "lower")]
+    end: Option<&'static str>,
     /// Its unit by UCUM, 1 for a ratio; some moduli have an exponent in it, such as Pa/m^n.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "m")]
     unit: Option<&'static str>,
+    /// Further figures of the finding.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    figures: Vec<Figure>,
+    /// Fields of the request or the answer that the finding names, such as the parameters that data do not determine.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    names: Vec<&'static str>,
     /// Field of the request to look at, as a JSON pointer.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "/wheel/radius_m")]
@@ -199,6 +221,32 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schema(required = false)]
     series: Vec<String>,
+}
+
+/// A further figure of a finding.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+#[schema(as = WarningFigure)]
+pub(crate) struct Figure {
+    /// What it is.
+    #[schema(example = "sinkage")]
+    quantity: &'static str,
+    /// Its value.
+    value: f64,
+    /// Its unit by UCUM, 1 for a ratio, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false, example = "m")]
+    unit: Option<&'static str>,
+}
+
+impl Figure {
+    fn of(quantity: &'static str, value: f64, unit: &'static str) -> Self {
+        Self { quantity, value, unit: Some(unit) }
+    }
+
+    /// In the unit of a parameter.
+    fn of_parameter(quantity: &'static str, value: f64, parameter: &str) -> Self {
+        Self { quantity, value, unit: crate::quantity::unit_of_name(parameter) }
+    }
 }
 
 /// A quantity outside its range.
@@ -231,9 +279,20 @@ impl From<&Warning> for WarningBody {
     fn from(warning: &Warning) -> Self {
         let measure = warning.measure();
         let rows = warning.rows.as_ref();
+        let sentences = warning.sentences();
+        let finding = match &warning.subject {
+            Subject::Finding(finding) => Some(finding),
+            Subject::Caution(_) => None,
+        };
         Self {
             code: warning.code(),
-            detail: warning.detail(),
+            detail: warning.placed(&sentences),
+            finding: sentences.finding,
+            advice: sentences.advice,
+            varies: warning.varies,
+            end: finding.and_then(Finding::end),
+            figures: finding.and_then(Finding::figure).into_iter().filter(|figure| figure.value.is_finite()).collect(),
+            names: finding.map(Finding::names).unwrap_or_default(),
             range: measure.as_ref().and_then(Range::of),
             value: measure.as_ref().map(|measure| measure.value).filter(|value| value.is_finite()),
             unit: measure.as_ref().and_then(|measure| measure.unit),
