@@ -225,7 +225,7 @@ check("a soil without a shear modulus asks for one", async (page) => {
   page.on("response", (response) => { if (response.status() === 422) refused.push(response.url()); });
   await page.selectOption("#soil", soil.preset);
   await assertFault(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m", told: told.replaceAll("`", "") });
-  assert.match(await page.innerText("#status"), /^Shear modulus K is required: /);
+  assert.match(await page.innerText("#status"), /^Shear deformation modulus K is required: /);
   assert.equal(await page.locator("#status code").count(), 1, "the quoted name stands as code");
   assert.deepEqual(refused.map((url) => new URL(url).pathname), ["/v1/forces"], "a missing value is asked for once");
   await box(page, "shear_modulus").fill("10");

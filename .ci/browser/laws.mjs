@@ -39,6 +39,26 @@ check("each shear law takes its own parameters", async (page) => {
   assert.ok(await box(page, "shear_modulus").isVisible(), "Janosi–Hanamoto's modulus is back");
 });
 
+check("every law that the service has can be chosen, and its fields are those of the service", async (page) => {
+  await open(page, "?by=static");
+  await openGroups(page);
+  const { laws: families } = await (await fetch(url("v1/model"))).json();
+  const selects = { "/soil/pressure_sinkage": "law", "/soil/shear": "shear", "/contact": "rule", "/slip_sinkage": "slip_sinkage" };
+  for (const [pointer, name] of Object.entries(selects)) {
+    for (const law of families.find((family) => family.pointer === pointer).laws) {
+      await page.selectOption(`select[name="${name}"]`, law.name);
+      await page.waitForSelector('#app[data-busy="false"]');
+      for (const parameter of law.parameters) {
+        const labels = await page.$$eval(`[data-fault="${parameter.pointer}"]`, (faults) =>
+          faults.map((fault) => fault.closest(".field")).filter((field) => field.offsetParent).map((field) => field.querySelector("label").textContent));
+        assert.equal(labels.length, 1, `fields for ${parameter.name} of ${law.name}: ${labels}`);
+        const words = parameter.meaning.split(/[;:,.](?:\s|$)/)[0].replaceAll("'", "’");
+        assert.ok(labels[0].startsWith(words), `${labels[0]}: ${parameter.meaning}`);
+      }
+    }
+  }
+}, { refused: true });
+
 check("a residual beyond the largest strength is a fault of the residual", async (page) => {
   await page.goto(url("?shear=wong_residual&kr=1.5"));
   await faulty(page);

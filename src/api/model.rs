@@ -1,5 +1,9 @@
 //! `GET /v1/model`: the equations as implemented, and where they depart from the letter as printed.
 
+mod laws;
+#[cfg(test)]
+mod percentages;
+
 use std::sync::LazyLock;
 
 use axum::response::Response;
@@ -7,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use terramechanics::{Caution, CautionKind, ERRATA, SOURCES};
 use utoipa::ToSchema;
 
+use self::laws::{LawFamily, ParameterNote};
 use super::responses::{InvalidQuery, Limits};
 use crate::answer::json_text;
 use crate::catalogue::{self, Gravity};
@@ -34,6 +39,14 @@ pub(crate) struct Model {
     errata: Vec<Erratum>,
     /// What is refused.
     refusals: Vec<String>,
+    /// The laws that a request may name, each with its parameters.
+    #[serde(default)]
+    #[schema(required)]
+    laws: Vec<LawFamily>,
+    /// The numbers of a wheel, and those of a soil that are no law's.
+    #[serde(default)]
+    #[schema(required)]
+    parameters: Vec<ParameterNote>,
     /// The quantities of answers, in the order of their columns.
     #[serde(default)]
     quantities: Vec<QuantityNote>,
@@ -183,6 +196,8 @@ impl From<&Note> for WarningNote {
 static TEXT: LazyLock<String> = LazyLock::new(|| {
     let mut model: Model =
         serde_json::from_str(include_str!("model.json")).expect("the model is compiled in and its test reads it");
+    model.laws = laws::families();
+    model.parameters = laws::parameters();
     model.quantities = quantity::TABLE.iter().map(QuantityNote::from).collect();
     model.warnings = Caution::KINDS.iter().map(|kind| WarningNote::from(*kind)).collect();
     model.warnings.extend(warning::NOTES.iter().map(WarningNote::from));
@@ -194,7 +209,7 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
 
 /// The equations as implemented, and the errata
 ///
-/// For people and for programs: symbols, equations, methods, quantities of answers, what is refused, what is warned of,
+/// For people and for programs: symbols, equations, methods, laws with their parameters, quantities of answers, what is refused, what is warned of,
 /// gravity, and where the letter as printed is not what is computed.
 #[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), InvalidQuery, Limits))]
 pub(crate) async fn model(_: NoQuery) -> Response {

@@ -2,9 +2,9 @@
 
 use std::sync::LazyLock;
 
-use terramechanics::{Bekker, Diameter, Direct, PressureSinkage, Reece, ShearLaw, SoilParams, Wheel};
+use terramechanics::{JanosiHanamoto, Law, Parameter, PressureSinkage, ShearLaw, Soil, SoilParams, Wheel};
 
-use super::{SoilRecord, soils, wheels};
+use super::{SoilRecord, is_of_exponent, size, soils, wheels};
 
 /// What the extents are called as the source of a range.
 pub(crate) const CATALOGUE: &str = "the catalogue of this service";
@@ -14,11 +14,13 @@ pub(crate) const CATALOGUE: &str = "the catalogue of this service";
 const MARGIN: f64 = 3.0;
 
 /// The smallest and the largest value of one quantity in the catalogue.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Extent {
-    pub(crate) quantity: &'static str,
+    pub(crate) quantity: String,
     /// By UCUM, save where an exponent is in it.
     pub(crate) unit: &'static str,
+    /// The field of a request that has the value.
+    pub(crate) pointer: String,
     /// The smallest; none where a small value is as good as zero.
     pub(crate) lower: Option<f64>,
     pub(crate) upper: f64,
@@ -29,18 +31,18 @@ pub(crate) struct Extent {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Outside {
     pub(crate) extent: &'static Extent,
-    /// The field of a request that has the value.
-    pub(crate) pointer: &'static str,
     pub(crate) value: f64,
 }
 
 impl Extent {
-    /// The extent of values. A 0 tells nothing of a unit and is left out; without any other value there is no extent.
-    fn of([quantity, unit]: [&'static str; 2], values: impl Iterator<Item = f64>) -> Option<Self> {
+    /// The extent of values of the field at `pointer`. A 0 tells nothing of a unit and is left out; without any other value there
+    /// is no extent.
+    fn of([quantity, unit]: [&'static str; 2], pointer: &str, values: impl Iterator<Item = f64>) -> Option<Self> {
         let bounds = values.filter(|value| *value != 0.0).fold(None, |bounds: Option<(f64, f64)>, value| {
             Some(bounds.map_or((value, value), |(lower, upper)| (lower.min(value), upper.max(value))))
         });
-        bounds.map(|(lower, upper)| Self { quantity, unit, lower: Some(lower), upper, margin: MARGIN })
+        let (quantity, pointer) = (quantity.to_owned(), pointer.to_owned());
+        bounds.map(|(lower, upper)| Self { quantity, unit, pointer, lower: Some(lower), upper, margin: MARGIN })
     }
 
     fn without_lower(self) -> Self {
@@ -52,13 +54,17 @@ impl Extent {
         Self { margin: 1.0, ..self }
     }
 
+    fn called(self, quantity: String) -> Self {
+        Self { quantity, ..self }
+    }
+
     /// The value, if it lies outside; 0 never does.
     #[inline]
-    fn left_by(extent: &'static Option<Self>, pointer: &'static str, value: f64) -> Option<Outside> {
+    fn left_by(extent: &'static Option<Self>, value: f64) -> Option<Outside> {
         let extent = extent.as_ref()?;
         let too_small = extent.lower.is_some_and(|lower| value * extent.margin < lower);
         let is_outside = value != 0.0 && (too_small || value > extent.upper * extent.margin);
-        is_outside.then_some(Outside { extent, pointer, value })
+        is_outside.then_some(Outside { extent, value })
     }
 }
 
@@ -70,115 +76,115 @@ struct Extents {
     lug_ratio: Option<Extent>,
     cohesion: Option<Extent>,
     friction_angle: Option<Extent>,
-    /// Displacements by which shear laws scale, along the wheel and across.
-    shear_lengths: [Option<Extent>; 2],
-    /// The soil's own, and that of Reece's law.
-    unit_weights: [Option<Extent>; 2],
-    /// For each law: its two moduli, or none and its only one, and the exponent n0.
-    bekker: [Option<Extent>; 3],
-    direct: [Option<Extent>; 3],
-    reece: [Option<Extent>; 3],
-    diameter: [Option<Extent>; 3],
+    /// The soil's own.
+    unit_weight: Option<Extent>,
+    /// Displacement by which the shear law scales across.
+    across: Option<Extent>,
+    /// Of each shear law, its parameters in their order: lengths alone have an extent.
+    shear: Vec<Vec<Option<Extent>>>,
+    /// Of each pressure–sinkage law, its parameters in their order.
+    pressure_sinkage: Vec<Vec<Option<Extent>>>,
 }
 
-const EXPONENT: [&str; 2] = ["sinkage exponent n0", "1"];
+const SHEAR_LENGTH: [&str; 2] = ["displacement by which the shear law scales", "m"];
+const UNIT_WEIGHT: [&str; 2] = ["unit weight", "N/m3"];
 
 static EXTENTS: LazyLock<Extents> = LazyLock::new(|| {
     let of_wheels = |name: &'static str| wheels().iter().filter_map(move |record| record.number(name));
-    let of_soils = |name: &'static str| soils().iter().filter_map(move |record| record.number(name));
-    let of_law = |law: &'static str, name: &'static str| {
-        soils().iter().filter(move |record| record.law.as_deref() == Some(law)).filter_map(move |record| record.number(name))
-    };
     let ratios = wheels().iter().filter_map(|record| Some(record.number("lug_height_m")? / record.number("radius_m")?));
-    let peaks = soils().iter().filter_map(SoilRecord::shear).map(|law| length(&law));
-    let lengths = of_soils("shear_modulus_m").chain(of_soils("lateral_shear_modulus_m")).chain(peaks);
-    let exponent = |law: &'static str| Extent::of(EXPONENT, of_law(law, "n0"));
-    let shear_length = Extent::of(["displacement by which the shear law scales", "m"], lengths);
-    let unit_weight = Extent::of(["unit weight", "N/m3"], of_soils("unit_weight_n_m3"));
-    let two_of_a_law = |law: &'static str, [k_c, k_phi]: [[&'static str; 2]; 2]| {
-        let cohesive = Extent::of(k_c, of_law(law, "k_c").map(f64::abs)).map(Extent::without_lower);
-        [cohesive, Extent::of(k_phi, of_law(law, "k_phi")), exponent(law)]
-    };
+    let wheel = |about, name: &'static str| Extent::of(about, &format!("/wheel/{name}"), of_wheels(name));
+    let soil = |about, of: &Parameter| Extent::of(about, &format!("/soil/{}", of.name), of_soils(of.name));
     Extents {
-        radius: Extent::of(["wheel radius", "m"], of_wheels("radius_m")),
-        width: Extent::of(["wheel width", "m"], of_wheels("width_m")),
-        lug_height: Extent::of(["lug height", "m"], of_wheels("lug_height_m")).map(Extent::without_lower),
-        lug_ratio: Extent::of(["lug height over radius", "1"], ratios).map(Extent::without_lower),
-        cohesion: Extent::of(["cohesion", "Pa"], of_soils("cohesion_pa")),
-        friction_angle: Extent::of(["friction angle", "rad"], of_soils("friction_angle_rad")).map(Extent::exact),
-        shear_lengths: [shear_length; 2],
-        unit_weights: [unit_weight; 2],
-        bekker: two_of_a_law("bekker", [["|k_c|", "N/m^(n+1)"], ["k_phi", "N/m^(n+2)"]]),
-        // Few soils have it; Bekker's K_s = k_c/b + k_phi, of which k_phi is the larger part, is the same in the same unit.
-        direct: [
-            None,
-            Extent::of(["k_s", "Pa/m^n"], of_law("direct", "k_s").chain(of_law("bekker", "k_phi"))),
-            Extent::of(EXPONENT, of_law("direct", "n0").chain(of_law("bekker", "n0"))),
-        ],
-        reece: two_of_a_law("reece", [["|k_c| of Reece's law", "1"], ["k_phi of Reece's law", "1"]]),
-        diameter: [None, Extent::of(["k of the law `diameter`", "N/m^(n+m+2)"], of_law("diameter", "k")), exponent("diameter")],
+        radius: wheel(["wheel radius", "m"], "radius_m"),
+        width: wheel(["wheel width", "m"], "width_m"),
+        lug_height: wheel(["lug height", "m"], "lug_height_m").map(Extent::without_lower),
+        lug_ratio: Extent::of(["lug height over radius", "1"], "/wheel/lug_height_m", ratios).map(Extent::without_lower),
+        cohesion: soil(["cohesion", "Pa"], &Soil::COHESION),
+        friction_angle: soil(["friction angle", "rad"], &Soil::FRICTION_ANGLE).map(Extent::exact),
+        unit_weight: soil(UNIT_WEIGHT, &Soil::UNIT_WEIGHT),
+        across: Extent::of(SHEAR_LENGTH, "/soil/lateral_shear_modulus_m", shear_lengths()),
+        shear: ShearLaw::LAWS.iter().map(|law| law.parameters.iter().map(|of| of_shear_law(law, of)).collect()).collect(),
+        pressure_sinkage: PressureSinkage::LAWS
+            .iter()
+            .map(|law| law.parameters.iter().map(|of| of_law(law, of)).collect())
+            .collect(),
     }
 });
+
+fn of_soils(name: &'static str) -> impl Iterator<Item = f64> {
+    soils().iter().filter_map(move |record| record.number(name))
+}
+
+/// The displacements by which shear laws scale, along the wheel and across.
+fn shear_lengths() -> impl Iterator<Item = f64> {
+    let peaks = soils().iter().filter_map(SoilRecord::shear).map(|law| law.scale());
+    of_soils(JanosiHanamoto::MODULUS.name).chain(of_soils(Soil::LATERAL_SHEAR_MODULUS.name)).chain(peaks)
+}
+
+/// The extent of a parameter of a shear law: of its length, by which it scales.
+fn of_shear_law(law: &Law<ShearLaw>, of: &Parameter) -> Option<Extent> {
+    // The modulus of the law that none names stands in the soil itself.
+    let place = if *of == JanosiHanamoto::MODULUS { "/soil" } else { "/soil/shear" };
+    let is_length = of.unit == "m" && law.parameters.contains(of);
+    is_length.then(|| Extent::of(SHEAR_LENGTH, &format!("{place}/{}", of.name), shear_lengths()))?
+}
+
+/// The extent of a parameter of a pressure–sinkage law. One without which the law can do tells nothing of a unit.
+fn of_law(law: &'static Law<PressureSinkage>, of: &'static Parameter) -> Option<Extent> {
+    let pointer = format!("/soil/pressure_sinkage/{}", of.name);
+    if of.name == Soil::UNIT_WEIGHT.name {
+        return Extent::of(UNIT_WEIGHT, &pointer, of_soils(of.name));
+    }
+    // What soils can have: with a minus as well, there is no smallest size.
+    let bounds = law.fittable.iter().find(|fittable| fittable.parameter.name == of.name).map(|fittable| fittable.bounds);
+    let is_signed = bounds.map_or(of.least, |[lower, _]| lower) < 0.0;
+    if !of.is_required() || (is_signed && bounds.is_none()) {
+        return None;
+    }
+    let extent = Extent::of([of.name, of.unit], &pointer, soils().iter().filter_map(|record| size(record, law, of)))?;
+    let name = if is_signed { format!("|{}|", of.name) } else { of.name.to_owned() };
+    let quantity = match PressureSinkage::LAWS.iter().flat_map(|law| law.parameters).find(|other| other.name == of.name) {
+        _ if is_of_exponent(of.name) => format!("sinkage exponent {name}"),
+        Some(first) if first.unit != of.unit => format!("{name} of the law `{}`", law.name),
+        _ => name,
+    };
+    Some(if is_signed { extent.without_lower() } else { extent }.called(quantity))
+}
 
 /// What of a wheel and a soil is far beyond the catalogue.
 pub(crate) fn outside(wheel: &Wheel, soil: &SoilParams) -> impl Iterator<Item = Outside> + use<> {
     let extents = &*EXTENTS;
     let (lug_height, radius) = (wheel.lug_height(), wheel.radius());
-    let exponent = soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base);
-    let (of_law, weight_of_law) = match soil.pressure_sinkage {
-        None => ([None; 3], None),
-        Some(PressureSinkage::Bekker(Bekker { k_c, k_phi, .. })) => {
-            (each(&extents.bekker, MODULI, [k_c.abs(), k_phi, exponent]), None)
-        }
-        Some(PressureSinkage::Direct(Direct { k_s, .. })) => (each(&extents.direct, MODULUS, [0.0, k_s, exponent]), None),
-        Some(PressureSinkage::Reece(Reece { k_c, k_phi, unit_weight, .. })) => {
-            (each(&extents.reece, MODULI, [k_c.abs(), k_phi, exponent]), Some(unit_weight))
-        }
-        Some(PressureSinkage::Diameter(Diameter { k, .. })) => (each(&extents.diameter, COEFFICIENT, [0.0, k, exponent]), None),
-    };
-    let weights = each(&extents.unit_weights, WEIGHTS, [soil.unit_weight.unwrap_or(0.0), weight_of_law.unwrap_or(0.0)]);
+    let law = soil.pressure_sinkage.map(|law| within(PressureSinkage::LAWS, &extents.pressure_sinkage, law.law(), law.values()));
+    let along = soil.shear.map(|law| within(ShearLaw::LAWS, &extents.shear, law.law(), law.values()));
     // Where one length is taken for the other it is told once.
-    let along = soil.shear.as_ref().map_or(0.0, length);
-    let across = soil.lateral_shear_modulus.filter(|across| *across != along).unwrap_or(0.0);
-    let lengths = match soil.shear {
-        None | Some(ShearLaw::JanosiHanamoto(_)) => ["/soil/shear_modulus_m", ACROSS],
-        Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) => ["/soil/shear/peak_displacement_m", ACROSS],
-    };
-    let lugs = |extent: &'static Option<Extent>, value: f64| Extent::left_by(extent, "/wheel/lug_height_m", value);
+    let across = soil.lateral_shear_modulus.filter(|across| soil.shear.is_none_or(|law| law.scale() != *across));
+    let lugs = |extent: &'static Option<Extent>, value: f64| Extent::left_by(extent, value);
     let own = [
-        Extent::left_by(&extents.radius, "/wheel/radius_m", radius),
-        Extent::left_by(&extents.width, "/wheel/width_m", wheel.width()),
+        Extent::left_by(&extents.radius, radius),
+        Extent::left_by(&extents.width, wheel.width()),
         lugs(&extents.lug_height, lug_height).or_else(|| lugs(&extents.lug_ratio, lug_height / radius)),
-        Extent::left_by(&extents.cohesion, "/soil/cohesion_pa", soil.cohesion),
-        Extent::left_by(&extents.friction_angle, "/soil/friction_angle_rad", soil.friction_angle),
+        Extent::left_by(&extents.cohesion, soil.cohesion),
+        Extent::left_by(&extents.friction_angle, soil.friction_angle),
     ];
-    own.into_iter().chain(each(&extents.shear_lengths, lengths, [along, across])).chain(of_law).chain(weights).flatten()
+    let across = Extent::left_by(&extents.across, across.unwrap_or(0.0));
+    let weight = Extent::left_by(&extents.unit_weight, soil.unit_weight.unwrap_or(0.0));
+    let along = along.into_iter().flatten();
+    own.into_iter().flatten().chain(along).chain(across).chain(law.into_iter().flatten()).chain(weight)
 }
 
-const N0: &str = "/soil/pressure_sinkage/n0";
-const ACROSS: &str = "/soil/lateral_shear_modulus_m";
-const WEIGHTS: [&str; 2] = ["/soil/unit_weight_n_m3", "/soil/pressure_sinkage/unit_weight_n_m3"];
-
-// For each law: the pointers of its two moduli, or none and its only one, and of the exponent.
-const MODULI: [&str; 3] = ["/soil/pressure_sinkage/k_c", "/soil/pressure_sinkage/k_phi", N0];
-const MODULUS: [&str; 3] = ["", "/soil/pressure_sinkage/k_s", N0];
-const COEFFICIENT: [&str; 3] = ["", "/soil/pressure_sinkage/k", N0];
-
-fn each<const N: usize>(
-    extents: &'static [Option<Extent>; N],
-    pointers: [&'static str; N],
-    values: [f64; N],
-) -> [Option<Outside>; N] {
-    std::array::from_fn(|i| Extent::left_by(&extents[i], pointers[i], values[i]))
-}
-
-/// The displacement (m) by which a shear law scales.
-fn length(law: &ShearLaw) -> f64 {
-    match law {
-        ShearLaw::JanosiHanamoto(law) => law.modulus,
-        ShearLaw::WongResidual(law) => law.peak_displacement,
-        ShearLaw::WongPeak(law) => law.peak_displacement,
-    }
+/// Which values of a law are outside; one whose sign is open counts by its size.
+fn within<F>(
+    laws: &'static [Law<F>],
+    extents: &'static [Vec<Option<Extent>>],
+    law: &Law<F>,
+    values: Vec<Option<f64>>,
+) -> impl Iterator<Item = Outside> + use<F> {
+    let of_law = laws.iter().zip(extents).find(|(known, _)| known.name == law.name).map_or(&[][..], |(_, extents)| extents);
+    of_law.iter().zip(values).filter_map(|(extent, value)| {
+        let is_signed = extent.as_ref().is_some_and(|extent| extent.lower.is_none());
+        Extent::left_by(extent, if is_signed { value?.abs() } else { value? })
+    })
 }
 
 #[cfg(test)]
@@ -187,15 +193,15 @@ mod tests {
 
     #[test]
     fn the_extent_of_values_is_theirs_without_zero() {
-        let extent = Extent::of(["length", "m"], [0.0, 2.0, 0.5].into_iter()).expect("an extent");
+        let extent = Extent::of(["length", "m"], "", [0.0, 2.0, 0.5].into_iter()).expect("an extent");
         assert_eq!((extent.lower, extent.upper), (Some(0.5), 2.0));
-        assert_eq!(Extent::of(["length", "m"], [0.0].into_iter()), None);
+        assert_eq!(Extent::of(["length", "m"], "", [0.0].into_iter()), None);
     }
 
     #[test]
     fn a_value_is_outside_beyond_three_times_the_extremes() {
-        static LENGTH: Option<Extent> = Some(Extent { quantity: "length", unit: "m", lower: Some(0.5), upper: 2.0, margin: 3.0 });
-        let is_outside = |value: f64| Extent::left_by(&LENGTH, "", value).is_some();
+        static LENGTH: LazyLock<Option<Extent>> = LazyLock::new(|| Extent::of(["length", "m"], "", [0.5, 2.0].into_iter()));
+        let is_outside = |value: f64| Extent::left_by(&LENGTH, value).is_some();
         assert!(![0.0, 0.17, 0.5, 2.0, 5.99].into_iter().any(is_outside));
         assert!([1e-9, 0.166, 6.01, 1e9].into_iter().all(is_outside));
     }

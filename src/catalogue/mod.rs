@@ -6,12 +6,14 @@
 mod extent;
 mod gravity;
 mod record;
+mod size;
 mod table;
 mod view;
 
 pub(crate) use extent::{CATALOGUE, Outside, outside};
 pub(crate) use gravity::{Gravity, gravity};
 pub(crate) use record::{SoilRecord, WheelRecord};
+pub(crate) use size::{is_of_exponent, size};
 pub(crate) use table::{soils_table, wheels_table};
 pub(crate) use view::{SoilView, WheelView};
 

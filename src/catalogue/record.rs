@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use terramechanics::{Contact, ContactParams, PeakRule, PressureSinkage, ShearLaw};
+use terramechanics::{
+    Contact, ContactParams, JanosiHanamoto, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw, Soil, WheelParams,
+};
 use utoipa::ToSchema;
 
 /// How well a value is founded, best first.
@@ -96,14 +98,26 @@ pub(super) struct ContactRecord {
     pub(super) values: Values,
 }
 
-const SOIL_REQUIRED: [&str; 3] = ["cohesion_pa", "friction_angle_rad", "shear_modulus_m"];
-pub(super) const SOIL_FIELDS: [&str; 5] =
-    ["cohesion_pa", "friction_angle_rad", "shear_modulus_m", "lateral_shear_modulus_m", "unit_weight_n_m3"];
-pub(super) const WHEEL_FIELDS: [&str; 4] = ["radius_m", "width_m", "lug_height_m", "lug_coefficient"];
-const WHEEL_REQUIRED: [&str; 2] = ["radius_m", "width_m"];
+/// What a soil has besides the values of its laws; the modulus of the shear law that none names is among them.
+const SOIL_PARAMETERS: [Parameter; 5] =
+    [Soil::COHESION, Soil::FRICTION_ANGLE, JanosiHanamoto::MODULUS, Soil::LATERAL_SHEAR_MODULUS, Soil::UNIT_WEIGHT];
+pub(super) const SOIL_FIELDS: [&str; SOIL_PARAMETERS.len()] = names(&SOIL_PARAMETERS);
+pub(super) const WHEEL_FIELDS: [&str; WheelParams::PARAMETERS.len()] = names(WheelParams::PARAMETERS);
 
-fn absent(values: &Values, names: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
-    names.into_iter().filter(|name| !values.contains_key(*name)).collect()
+const fn names<const N: usize>(parameters: &'static [Parameter]) -> [&'static str; N] {
+    let mut names = [""; N];
+    let mut i = 0;
+    while i < N {
+        names[i] = parameters[i].name;
+        i += 1;
+    }
+    names
+}
+
+/// The required parameters that have no value.
+fn lacking(values: &Values, parameters: &'static [Parameter]) -> Vec<&'static str> {
+    let lacks = |parameter: &&Parameter| parameter.is_required() && !values.contains_key(parameter.name);
+    parameters.iter().filter(lacks).map(|parameter| parameter.name).collect()
 }
 
 impl WheelRecord {
@@ -114,7 +128,7 @@ impl WheelRecord {
 
     /// Required fields that are not known.
     pub(crate) fn missing(&self) -> Vec<&'static str> {
-        absent(&self.values, WHEEL_REQUIRED)
+        lacking(&self.values, WheelParams::PARAMETERS)
     }
 
     /// Whether a field is not known and assumed, though the wheel has or may have something there.
@@ -156,19 +170,19 @@ impl SoilRecord {
         let record = self.contact.as_ref()?;
         let number = |name: &str| record.values.get(name).map(|value| value.value);
         let rule = PeakRule::named(&record.rule)?.from_named(number).ok()?;
-        Contact::new(ContactParams { rule, exit_ratio: number("c3").or(Contact::EXIT_RATIO.default())? }).ok()
+        Contact::new(ContactParams { rule, exit_ratio: number(Contact::EXIT_RATIO.name).or(Contact::EXIT_RATIO.default())? }).ok()
     }
 
     /// Required parameters of the pressure–sinkage law that are not known.
     pub(crate) fn missing_of_law(&self) -> Vec<&'static str> {
         let parameters = self.law.as_deref().and_then(PressureSinkage::named).map_or(&[][..], |law| law.parameters);
-        absent(&self.values, parameters.iter().filter(|parameter| parameter.is_required()).map(|parameter| parameter.name))
+        lacking(&self.values, parameters)
     }
 
     /// Required fields that are not known.
     pub(crate) fn missing(&self) -> Vec<&'static str> {
-        let mut missing = absent(&self.values, SOIL_REQUIRED);
-        missing.retain(|name| *name != "shear_modulus_m" || self.shear().is_none());
+        let mut missing = lacking(&self.values, &SOIL_PARAMETERS);
+        missing.retain(|name| *name != JanosiHanamoto::MODULUS.name || self.shear().is_none());
         if self.pressure_sinkage().is_none() {
             missing.push("pressure_sinkage");
         }

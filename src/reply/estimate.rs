@@ -4,7 +4,6 @@ use serde::Serialize;
 use terramechanics_identification::{Bound, Estimate, Identifiability, Unknown};
 use utoipa::ToSchema;
 
-use crate::request::unknowns::name_of;
 use crate::warning::{gap_code, gap_in_words, number};
 
 /// The result for one parameter.
@@ -42,7 +41,7 @@ impl From<&Estimate> for EstimateReply {
     fn from(estimate: &Estimate) -> Self {
         let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
         Self {
-            parameter: name_of(estimate.unknown),
+            parameter: estimate.unknown.name(),
             value: estimate.value,
             standard_error: finite(estimate.standard_error),
             interval_95: estimate.interval.filter(|interval| interval.iter().all(|end| end.is_finite())),
@@ -139,7 +138,7 @@ impl From<&Estimate> for Known {
 }
 
 fn names(unknowns: &[Unknown]) -> Vec<&'static str> {
-    unknowns.iter().map(|&unknown| name_of(unknown)).collect()
+    unknowns.iter().map(|unknown| unknown.name()).collect()
 }
 
 /// Half the width of the interval; none where an end is a bound or overflows.

@@ -27,6 +27,11 @@ pub(crate) const fn field(parameter: &Parameter, meaning: &'static str) -> Field
     Field::new(parameter.name, meaning, number(parameter))
 }
 
+/// The same, which means what the model says of it.
+pub(super) const fn own_field(parameter: &Parameter) -> Field<Number> {
+    Field::new(parameter.name, parameter.meaning, number(parameter).symbol(parameter.symbol))
+}
+
 /// The same, with the parameter's default.
 pub(crate) const fn field_or_default(parameter: &Parameter, meaning: &'static str) -> Field<Number> {
     Field::new(parameter.name, meaning, number_or_default(parameter))
@@ -39,10 +44,8 @@ fn kept(text: String) -> &'static str {
 
 /// The field of a parameter as the model declares it.
 fn declared(parameter: &'static Parameter) -> Field<Number> {
-    let Parameter { name, symbol, unit, meaning, .. } = *parameter;
-    let unit = if unit == "1" { "–" } else { unit };
-    let meaning = kept(format!("{symbol} ({unit}): {meaning}"));
-    Field { name, meaning, kind: number_or_default(parameter), required: parameter.is_required() }
+    let kind = number_or_default(parameter).symbol(parameter.symbol);
+    Field { kind, required: parameter.is_required(), ..own_field(parameter) }
 }
 
 /// The forms of a family, whose laws have these parameters in a request.

@@ -5,6 +5,7 @@
 
 pub(crate) mod axis;
 mod documented;
+pub(crate) mod fitted_law;
 pub(crate) mod laws;
 pub(crate) mod method;
 pub(crate) mod motion;

@@ -1,34 +1,26 @@
 //! The soil of a request.
 
-use terramechanics::{
-    Bekker, Contact, Declared, Direct, JanosiHanamoto, Parametrised, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams,
-};
+use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
 use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 
-use super::laws::{self, field};
+use super::fitted_law;
+use super::laws::{self, own_field};
 use super::preset::Preset;
 use super::{Described, Documented, Shape};
-use crate::catalogue::{self, SoilRecord};
+use crate::catalogue::{self, SoilRecord, is_of_exponent};
 
 const PRESET: Field<Lookup<&'static SoilRecord>> = Field::new(
     "preset",
     "A soil of the catalogue, see /v1/soils.",
     Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil },
 );
-pub(crate) const COHESION: Field<Number> = field(&Soil::COHESION, "Cohesion c (Pa).");
-pub(crate) const FRICTION_ANGLE: Field<Number> = field(&Soil::FRICTION_ANGLE, "Internal friction angle φ (rad).");
-pub(crate) const SHEAR_MODULUS: Field<Number> =
-    field(&JanosiHanamoto::MODULUS, "Shear deformation modulus K (m) of Janosi–Hanamoto's law; no other needs it.");
+pub(crate) const COHESION: Field<Number> = own_field(&Soil::COHESION);
+const FRICTION_ANGLE: Field<Number> = own_field(&Soil::FRICTION_ANGLE);
+const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
 const PRESSURE_SINKAGE: Field<&Tagged> =
     Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
-const LATERAL_SHEAR_MODULUS: Field<Number> = field(
-    &Soil::LATERAL_SHEAR_MODULUS,
-    "Shear deformation modulus K_y across the direction of travel (m); unless given or in the catalogue, shear_modulus_m, or the shear law's own length where that is not there either.",
-);
-const UNIT_WEIGHT: Field<Number> = field(
-    &Soil::UNIT_WEIGHT,
-    "Unit weight γ (N/m³), for the soil that the wheel bulldozes beside and in front of it; that of Reece's law unless given or in the catalogue.",
-);
+const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
+const UNIT_WEIGHT: Field<Number> = own_field(&Soil::UNIT_WEIGHT);
 pub(crate) const SHEAR: Field<&Tagged> =
     Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
@@ -180,13 +172,11 @@ fn pressure_sinkage(
 
 /// The law of which all moduli are fitted, with the exponents of the preset; none where the moduli or n0 would be lacking.
 fn of_fitted(preset: Option<&SoilRecord>, fitted: &dyn Fn(&str) -> Option<f64>) -> Option<PressureSinkage> {
-    let name = if fitted(Direct::K_S.name).is_some() { Direct::NAME } else { Bekker::NAME };
-    let is_exponent = |name: &str| SinkageExponent::PARAMETERS.iter().any(|parameter| parameter.name == name);
     let value = |name: &str| {
-        let published = preset.filter(|_| is_exponent(name)).and_then(|record| record.number(name));
+        let published = preset.filter(|_| is_of_exponent(name)).and_then(|record| record.number(name));
         published.or_else(|| fitted(name))
     };
-    PressureSinkage::named(name)?.from_named(value).ok()
+    fitted_law::laws().find_map(|law| law.from_named(value).ok())
 }
 
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.

@@ -1,33 +1,24 @@
 //! The numbers that can be fitted, by name, with what may be sent for each: a start, and bounds.
 
-use terramechanics::{Bekker, Direct, SinkageExponent, WongReece};
 use terramechanics_identification::{Range, Unknown};
 use terramechanics_reading::{Bounds, Field, Kind, Number, Object, Reader, Word, group};
 
-use crate::request::laws::field;
-use crate::request::method::{LAMBDA, LAMBDA_A, LAMBDA_B};
-use crate::request::sinkage::STATIC_SINKAGE;
-use crate::request::soil::{COHESION, FRICTION_ANGLE, SHEAR_MODULUS};
+use crate::request::laws::own_field;
+use crate::request::soil::COHESION;
 
 /// Every unknown with the field that it has elsewhere in a request: a fitted value is sent back where it can be used.
-static UNKNOWNS: [(Unknown, Field<Number>); 13] = [
-    (Unknown::Cohesion, COHESION),
-    (Unknown::FrictionAngle, FRICTION_ANGLE),
-    (Unknown::ShearModulus, SHEAR_MODULUS),
-    (Unknown::SinkageModulus, field(&Direct::K_S, "Sinkage modulus K_s of the direct law (Pa/m^N).")),
-    (Unknown::CohesiveModulus, field(&Bekker::K_C, "Cohesive modulus of Bekker's or Reece's law.")),
-    (Unknown::FrictionalModulus, field(&Bekker::K_PHI, "Frictional modulus of Bekker's or Reece's law.")),
-    (Unknown::BaseExponent, field(&SinkageExponent::BASE, "Sinkage exponent without slip (–).")),
-    (Unknown::SlipGain, field(&SinkageExponent::SLIP_GAIN, "Gain of the exponent with slip (–).")),
-    (Unknown::PeakIntercept, field(&WongReece::C1, "c1 of θm = (c1 + c2 s) θ1 (–).")),
-    (Unknown::PeakSlipGain, field(&WongReece::C2, "c2 of θm = (c1 + c2 s) θ1 (–).")),
-    (Unknown::LambdaA, Field::new(LAMBDA_A.name, LAMBDA_A.meaning, LAMBDA)),
-    (Unknown::LambdaB, Field::new(LAMBDA_B.name, LAMBDA_B.meaning, LAMBDA)),
-    (Unknown::StaticSinkage, STATIC_SINKAGE),
-];
+static UNKNOWNS: [(Unknown, Field<Number>); Unknown::ALL.len()] = {
+    let mut fields = [(Unknown::COHESION, COHESION); Unknown::ALL.len()];
+    let mut i = 0;
+    while i < fields.len() {
+        fields[i] = (Unknown::ALL[i], own_field(Unknown::ALL[i].parameter()));
+        i += 1;
+    }
+    fields
+};
 
 const TABLE: [(&str, Unknown); UNKNOWNS.len()] = {
-    let mut names = [("", Unknown::Cohesion); UNKNOWNS.len()];
+    let mut names = [("", Unknown::COHESION); UNKNOWNS.len()];
     let mut i = 0;
     while i < names.len() {
         names[i] = (UNKNOWNS[i].1.name, UNKNOWNS[i].0);
@@ -43,8 +34,7 @@ static STARTS: [Field<Number>; UNKNOWNS.len()] = {
     let mut fields = [COHESION; UNKNOWNS.len()];
     let mut i = 0;
     while i < fields.len() {
-        let Field { name, meaning, kind, .. } = UNKNOWNS[i].1;
-        fields[i] = Field::new(name, meaning, kind);
+        fields[i] = UNKNOWNS[i].1;
         i += 1;
     }
     fields
@@ -71,11 +61,6 @@ const FIT_BOUNDS: Object = Object {
 };
 pub(crate) const START: Field<&Object> = Field::new("start", "Where the search begins.", &FIT_START);
 pub(crate) const BOUNDS_FIELD: Field<&Object> = Field::new("bounds", "Bounds of the parameters.", &FIT_BOUNDS);
-
-/// The name of an unknown.
-pub(crate) fn name_of(unknown: Unknown) -> &'static str {
-    NAMES.words.iter().find(|(_, known)| *known == unknown).map_or("", |(name, _)| name)
-}
 
 /// Values by unknown.
 pub(crate) type By<T> = Vec<(Unknown, T)>;
@@ -120,8 +105,7 @@ mod tests {
     #[test]
     fn every_unknown_has_a_name_of_its_own() {
         for unknown in Unknown::ALL {
-            let name = name_of(unknown);
-            assert_eq!(NAMES.words.iter().filter(|(known, _)| *known == name).count(), 1, "{unknown:?}");
+            assert_eq!(NAMES.words.iter().filter(|(known, _)| *known == unknown.name()).count(), 1, "{unknown:?}");
         }
     }
 }

@@ -192,7 +192,7 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "lower")]
     end: Option<&'static str>,
-    /// Its unit by UCUM, 1 for a ratio; some moduli have an exponent in it, such as Pa/m^n.
+    /// Its unit by UCUM, 1 for a ratio; some moduli have an exponent in it, such as Pa/m^N.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "m")]
     unit: Option<&'static str>,

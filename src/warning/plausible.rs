@@ -1,10 +1,10 @@
 //! Estimates that no soil of the catalogue comes near. Mostly a unit is wrong.
 
-use terramechanics_identification::{Estimate, Unknown};
+use terramechanics::{PressureSinkage, SinkageExponent};
+use terramechanics_identification::{Estimate, Home, Unknown};
 
 use super::{Finding, Warning};
-use crate::catalogue::{self, SoilRecord};
-use crate::request::unknowns::name_of;
+use crate::catalogue::{self, SoilRecord, is_of_exponent};
 
 /// Factor beyond the catalogue's values from which on an estimate is implausible.
 const FACTOR: f64 = 10.0;
@@ -20,13 +20,13 @@ pub(crate) fn implausible(estimates: &[Estimate], exponent: f64) -> Vec<Warning>
     let finding = |estimate: &Estimate| {
         let Estimate { unknown, value, .. } = *estimate;
         let beyond = |least, largest| Finding::ImplausibleEstimate {
-            parameter: name_of(unknown),
+            parameter: unknown.name(),
             value,
             least,
             largest,
             alike: is_modulus(unknown),
         };
-        if unknown == Unknown::FrictionAngle {
+        if unknown == Unknown::FRICTION_ANGLE {
             let least = span(unknown, exponent).map_or(0.0, |(least, _)| least);
             return match value {
                 _ if value > STEEPEST => Some(beyond(None, None)),
@@ -37,8 +37,9 @@ pub(crate) fn implausible(estimates: &[Estimate], exponent: f64) -> Vec<Warning>
         let (least, largest) = span(unknown, exponent)?;
         let is_small = match unknown {
             // Next to nothing is usual, so it has to be told from nothing.
-            Unknown::Cohesion => is_surely_below(estimate, least / FACTOR),
-            Unknown::CohesiveModulus => false,
+            Unknown::COHESION => is_surely_below(estimate, least / FACTOR),
+            // Of either sign, it may as well be nothing.
+            _ if unknown.bounds().lower < 0.0 => false,
             _ => value.abs() < least / FACTOR,
         };
         (is_small || value.abs() > FACTOR * largest).then(|| beyond(Some(least), Some(largest)))
@@ -51,28 +52,24 @@ fn is_surely_below(estimate: &Estimate, limit: f64) -> bool {
     estimate.value < limit && estimate.interval.is_some_and(|[lower, _]| lower > 0.0)
 }
 
+/// Whether it is of a pressure–sinkage law, but not of the exponent.
 fn is_modulus(unknown: Unknown) -> bool {
-    matches!(unknown, Unknown::SinkageModulus | Unknown::CohesiveModulus | Unknown::FrictionalModulus)
+    unknown.home() == Home::PressureSinkage && !is_of_exponent(unknown.name())
 }
 
-/// The sizes other than 0 that a parameter has among the soils of the catalogue.
+/// The sizes other than 0 that a parameter has among the soils of the catalogue; none of one that only some soils have.
 fn span(unknown: Unknown, exponent: f64) -> Option<(f64, f64)> {
-    let number = |record: &SoilRecord, name: &str| record.values.get(name).map(|value| value.value.abs());
-    let is_like = |record: &SoilRecord| number(record, "n0").is_some_and(|n0| (n0 - exponent).abs() <= LIKE_EXPONENT);
-    let is_bekker = |record: &SoilRecord| record.law.as_deref() == Some("bekker");
-    let soils = || catalogue::soils().iter();
-    let sizes: Vec<f64> = match unknown {
-        Unknown::Cohesion | Unknown::FrictionAngle | Unknown::ShearModulus | Unknown::BaseExponent => {
-            soils().filter_map(|record| number(record, name_of(unknown))).collect()
+    let size = |record: &SoilRecord, name: &str| record.number(name).map(f64::abs);
+    let n0 = SinkageExponent::BASE.name;
+    let is_like = |record: &SoilRecord| size(record, n0).is_some_and(|n0| (n0 - exponent).abs() <= LIKE_EXPONENT);
+    let sizes: Vec<f64> = match unknown.home() {
+        Home::PressureSinkage if is_modulus(unknown) => {
+            let law = PressureSinkage::LAWS.iter().find(|law| law.parameters.contains(unknown.parameter()))?;
+            let alike = catalogue::soils().iter().filter(|record| is_like(record));
+            alike.filter_map(|record| catalogue::size(record, law, unknown.parameter())).collect()
         }
-        Unknown::CohesiveModulus | Unknown::FrictionalModulus => {
-            let alike = soils().filter(|record| is_bekker(record) && is_like(record));
-            alike.filter_map(|record| number(record, name_of(unknown))).collect()
-        }
-        // K_s is k_c/b + k_phi, of which k_phi is the greater part.
-        Unknown::SinkageModulus => {
-            let alike = soils().filter(|record| is_like(record));
-            alike.filter_map(|record| if is_bekker(record) { number(record, "k_phi") } else { number(record, "k_s") }).collect()
+        Home::Soil | Home::Shear | Home::PressureSinkage if unknown.parameter().is_required() => {
+            catalogue::soils().iter().filter_map(|record| size(record, unknown.name())).collect()
         }
         _ => return None,
     };
@@ -87,19 +84,19 @@ mod tests {
     #[test]
     fn no_soil_of_the_catalogue_is_implausible() {
         let unknowns = [
-            Unknown::Cohesion,
-            Unknown::FrictionAngle,
-            Unknown::ShearModulus,
-            Unknown::CohesiveModulus,
-            Unknown::FrictionalModulus,
-            Unknown::BaseExponent,
+            Unknown::COHESION,
+            Unknown::FRICTION_ANGLE,
+            Unknown::SHEAR_MODULUS,
+            Unknown::COHESIVE_MODULUS,
+            Unknown::FRICTIONAL_MODULUS,
+            Unknown::BASE_EXPONENT,
         ];
         for record in catalogue::soils().iter().filter(|record| record.law.as_deref() == Some("bekker")) {
             let of = |name: &str| record.values.get(name).map(|value| value.value);
             let estimates: Vec<Estimate> = unknowns
                 .into_iter()
                 .filter_map(|unknown| {
-                    let value = of(name_of(unknown))?;
+                    let value = of(unknown.name())?;
                     let identifiability = terramechanics_identification::Identifiability::Determined;
                     Some(Estimate { unknown, value, standard_error: None, interval: None, at_bound: None, identifiability })
                 })

@@ -96,9 +96,9 @@ findings! { many;
     means "A value of the wheel or the soil is more than three times beyond the extremes of the catalogue, or a friction angle is beyond them at all. It may be right, or it may be in another unit."
     about {
         let extent = outside.extent;
-        Measure::of(extent.quantity, outside.value).in_unit(extent.unit).beyond(extent.lower, Some(extent.upper), CATALOGUE)
+        Measure::of(&extent.quantity, outside.value).in_unit(extent.unit).beyond(extent.lower, Some(extent.upper), CATALOGUE)
     },
-    field outside.pointer,
+    field &outside.extent.pointer,
     says {
         let extent = outside.extent;
         let (side, extreme) = match extent.lower {

@@ -38,6 +38,8 @@
 /** @typedef {Schemas["TrackEvent"]} TrackEvent */
 /** @typedef {Schemas["Model"]} Model */
 /** @typedef {Schemas["Equation"]} Equation */
+/** @typedef {Schemas["ParameterNote"]} ParameterNote */
+/** @typedef {Schemas["LawNote"]} LawNote */
 /** @typedef {Schemas["ValidationSet"]} ValidationSet */
 /** @typedef {Schemas["ValidationResult"]} ValidationResult */
 

@@ -3,7 +3,9 @@
 import { fillPresets, showGrade } from "../catalogue/presets.js";
 import { html } from "../dom/elements.js";
 import { enclosing, find, findAll } from "../dom/find.js";
+import { capitalised } from "../numbers/format.js";
 import { FIELDS } from "../quantities/fields.js";
+import { CONTACT, PRESSURE_SINKAGE, SHEAR, groupsOf, lawsOf } from "../quantities/law-fields.js";
 import { DEFAULTS } from "../state/choices.js";
 import { activeGroups } from "../state/preset.js";
 import { choicePlace, showFaultsAt } from "./faults.js";
@@ -25,9 +27,9 @@ import { createFieldRow } from "./field-row.js";
  */
 const SECTIONS = {
   wheel: { fields: ["wheel"], choices: [] },
-  strength: { fields: ["strength", "janosi_hanamoto", "residual", "peak"], choices: ["shear"] },
-  pressure: { fields: ["bekker", "direct", "reece", "diameter", "exponent"], choices: ["law"] },
-  options: { fields: ["wong_reece", "contact", "explicit"], choices: ["rule", "normal_stress_radius", "peak_sinkage"] },
+  strength: { fields: ["strength", ...groupsOf(SHEAR)], choices: ["shear"] },
+  pressure: { fields: groupsOf(PRESSURE_SINKAGE), choices: ["law"] },
+  options: { fields: [...groupsOf(CONTACT), "explicit"], choices: ["rule", "normal_stress_radius", "peak_sinkage"] },
 };
 const PRESET_GROUPS = Object.values(SECTIONS).flatMap(({ fields }) => fields);
 
@@ -39,6 +41,25 @@ const CHOICE_POINTERS = {
 };
 const TICKS = ["compare", "braking"];
 const PRESETS = ["wheel", "soil"];
+
+/** @param {string} text */
+const inWords = (text) => capitalised(text.replaceAll("_", " "));
+
+/**
+ * The laws of the service that the page has no words for stand behind the others, and each group of a law's fields has its place.
+ * @param {HTMLFormElement} form
+ */
+function addLaws(form) {
+  for (const [key, pointer] of Object.entries(CHOICE_POINTERS)) {
+    const select = find(form, `select[name="${key}"]`, HTMLSelectElement);
+    const offered = [...select.options].map(({ value }) => value);
+    const others = lawsOf(pointer).filter(({ name }) => !offered.includes(name));
+    select.append(...others.map(({ name, formula }) => html("option", { value: name }, `${inWords(name)}: ${formula}`)));
+  }
+  for (const place of findAll(form, "[data-law-fields]")) {
+    place.append(...groupsOf(place.dataset.lawFields ?? "").map((group) => html("div", { "data-fields": group })));
+  }
+}
 
 /**
  * Until the catalogue is there, the list has what the address names.
@@ -88,6 +109,7 @@ function createSections(form, onChange) {
  * @param {OnChange} onChange
  */
 export function createControls(form, onChange) {
+  addLaws(form);
   const selects = Object.keys(CHOICE_POINTERS).map((key) => ({ key, select: find(form, `select[name="${key}"]`, HTMLSelectElement) }));
   const ticks = TICKS.map((key) => ({ key, box: find(form, `input[name="${key}"]`, HTMLInputElement) }));
   const radios = [...form.querySelectorAll('input[name="by"]')].filter((radio) => radio instanceof HTMLInputElement);

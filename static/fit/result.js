@@ -3,6 +3,7 @@
 import { html } from "../dom/elements.js";
 import { columnHeads, rowHead, table } from "../dom/tables.js";
 import { symbolHtml } from "../dom/text.js";
+import { LAW_FIELDS, PRESSURE_SINKAGE } from "../quantities/law-fields.js";
 import { MEASURED } from "../quantities/measured.js";
 import { PARAMETERS, fieldOf, valueText } from "../quantities/parameters.js";
 import { methodName, quantity } from "../quantities/results.js";
@@ -17,7 +18,6 @@ import { showResiduals } from "./residuals.js";
 
 /** @typedef {{ fit: FitParameter[], lines: number[], law: string }} AskedFit lines of the file; the law of the page */
 
-const LAWS = ["bekker", "direct", "reece", "diameter"];
 const HEADS = ["Parameter", "Estimate", "95 % interval", "Do the data determine it?"];
 
 /** @param {Identification} reply */
@@ -51,7 +51,8 @@ const estimateTable = (reply) => table({ class: "stacked" }, {
 function heldValues(reply, fit) {
   const law = foundLaw(reply);
   const fitted = fit.map((name) => fieldOf(name, law).pointer);
-  return SOIL_FIELDS.filter(({ group }) => !LAWS.includes(group) || group === law).flatMap((field) => {
+  const foreign = LAW_FIELDS.filter(({ family, laws }) => family === PRESSURE_SINKAGE && !laws.includes(law)).map(({ name }) => name);
+  return SOIL_FIELDS.filter(({ name }) => !foreign.includes(name)).flatMap((field) => {
     const value = fitted.includes(field.pointer) ? null : foundValue(field, reply);
     return value === null ? [] : [{ field, value }];
   });

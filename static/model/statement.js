@@ -1,7 +1,6 @@
 // The model as the API states it (/v1/model), set in readable form in a dialog: conventions, symbols, equations, errata.
 
-import { messageOf } from "../api/client.js";
-import { modelStatement } from "../api/endpoints.js";
+import { model } from "../api/model.js";
 import { html } from "../dom/elements.js";
 import { find } from "../dom/find.js";
 import { columnHeads, rowHead, table } from "../dom/tables.js";
@@ -49,27 +48,29 @@ function aboutEquation({ letter, source, note, errata = [] }) {
 }
 
 /**
- * @param {Model} model
+ * @param {Model} stated
  * @returns {[string, string, HTMLElement][]} id, title and content of each part
  */
-const sections = (model) => [
-  ["conventions", "Conventions", list(model.conventions)],
-  ["symbols", "Symbols", statementTable("symbols", ["Symbol", "Meaning", "Unit", "Field of the API"], model.symbols.map(({ symbol, meaning, unit, field }) =>
+const sections = (stated) => [
+  ["conventions", "Conventions", list(stated.conventions)],
+  ["symbols", "Symbols", statementTable("symbols", ["Symbol", "Meaning", "Unit", "Field of the API"], stated.symbols.map(({ symbol, meaning, unit, field }) =>
     ({ cells: [maths(symbol), maths(meaning), maths(unit), field ? [html("code", {}, field)] : []] })))],
-  ["equations", "Equations", statementTable("equations", ["Equation", "As computed", "Source and notes"], model.equations.map((equation) =>
+  ["equations", "Equations", statementTable("equations", ["Equation", "As computed", "Source and notes"], stated.equations.map((equation) =>
     ({ cells: [[equation.name], maths(equation.formula), aboutEquation(equation)] })))],
-  ["methods", "Methods", statementTable("methods", ["Method", "What it does", "Accuracy"], model.methods.map(({ method, description, accuracy }) =>
+  ["methods", "Methods", statementTable("methods", ["Method", "What it does", "Accuracy"], stated.methods.map(({ method, description, accuracy }) =>
     ({ cells: [[method], maths(description), maths(accuracy)] })))],
-  ["errata", "Errata of the letter", statementTable("errata", ["No.", "As printed", "As computed", "Reason"], model.errata.map(({ number, printed, computed, reason }) =>
+  ["laws", "Laws", statementTable("laws", ["Law", "Formula", "Parameters", "What it says"], stated.laws.flatMap(({ laws }) => laws).map((law) =>
+    ({ cells: [[html("code", {}, law.name)], maths(law.formula), maths(law.parameters.map(({ symbol }) => symbol).join(", ")), maths(law.meaning)] })))],
+  ["errata", "Errata of the letter", statementTable("errata", ["No.", "As printed", "As computed", "Reason"], stated.errata.map(({ number, printed, computed, reason }) =>
     ({ attributes: { id: `erratum-${number}`, tabindex: "-1" }, cells: [[String(number)], maths(printed), maths(computed), maths(reason)] })))],
-  ["refusals", "What is refused", list(model.refusals)],
-  ["warnings", "Warnings", statementTable("warning-codes", ["Code", "Meaning"], (model.warnings ?? []).map(({ code, meaning }) =>
+  ["refusals", "What is refused", list(stated.refusals)],
+  ["warnings", "Warnings", statementTable("warning-codes", ["Code", "Meaning"], (stated.warnings ?? []).map(({ code, meaning }) =>
     ({ cells: [[html("code", {}, code)], maths(meaning)] })))],
-  ["references", "References", list(model.references)],
+  ["references", "References", list(stated.references)],
 ];
 
 /**
- * The dialog opens from its link and from an address that ends in #model. The statement is asked for once.
+ * The dialog opens from its link and from an address that ends in #model. It is filled once.
  * @param {HTMLDialogElement} dialog
  * @param {HTMLElement} link
  */
@@ -77,18 +78,14 @@ export function connectModel(dialog, link) {
   const body = find(dialog, "[data-model]");
   let isFilled = false;
 
-  async function fill() {
-    try {
-      const model = await modelStatement();
-      const parts = sections(model);
-      body.replaceChildren(
-        html("p", { class: "note" }, model.source),
-        html("nav", { "aria-label": "Parts of the model" }, ...parts.map(([id, title]) => html("a", { href: `#model-${id}` }, title))),
-        ...parts.map(([id, title, content]) => html("section", { id: `model-${id}`, tabindex: "-1" }, html("h3", {}, title), content)));
-      isFilled = true;
-    } catch (error) {
-      body.replaceChildren(html("p", { class: "fault" }, messageOf(error)));
-    }
+  function fill() {
+    const stated = model();
+    const parts = sections(stated);
+    body.replaceChildren(
+      html("p", { class: "note" }, stated.source),
+      html("nav", { "aria-label": "Parts of the model" }, ...parts.map(([id, title]) => html("a", { href: `#model-${id}` }, title))),
+      ...parts.map(([id, title, content]) => html("section", { id: `model-${id}`, tabindex: "-1" }, html("h3", {}, title), content)));
+    isFilled = true;
   }
 
   function open() {

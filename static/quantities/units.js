@@ -47,6 +47,24 @@ export const DEGREE = {
   fromSi: (value) => (value * 180) / Math.PI,
 };
 
+/** @type {Record<string, Unit>} */
+const PAGE_UNITS = { m: MILLIMETRE, Pa: KILOPASCAL, rad: DEGREE, N: NEWTON, 1: ONE, "": ONE, "Pa/m^N": MODULUS, "N/m3": power("kN/m³", 3, "in N/m³") };
+/** @type {Record<string, string>} */
+const RAISED = { n: "ⁿ", m: "ᵐ", N: "ᴺ", "+": "⁺", "-": "⁻", 1: "¹", 2: "²", 3: "³", "(": "", ")": "" };
+
+/**
+ * The unit in which the page shows what the API counts in `unit`. A modulus has an exponent in its unit, such as N/m^(n+2), and is
+ * shown in a thousand of it.
+ * @param {string} unit
+ * @returns {Unit}
+ */
+export function pageUnit(unit) {
+  const [, force, exponent] = /^(N|Pa)\/m\^(.+)$/.exec(unit) ?? [];
+  if (unit in PAGE_UNITS || !force) return PAGE_UNITS[unit] ?? power(unit, 0);
+  const raised = [...exponent].map((letter) => RAISED[letter] ?? letter).join("");
+  return power(`k${force}/m${raised}`, 3, `in ${force}/m${raised}`);
+}
+
 /**
  * A number behind which its unit stands, as it is set in type.
  * @param {string} text

@@ -1,15 +1,11 @@
 // The requests with measurements. The settings of the page complete them.
 
+import { PRESSURE_SINKAGE, sharedNames } from "../quantities/law-fields.js";
 import { options } from "./bodies.js";
 
 /** @import { TrackAsked } from "../api/endpoints.js" */
 /** @import { FitData, FitParameter, IdentifyRequest, Soil, TrackColumns } from "../api/types.js" */
 /** @import { GivenName, Settings } from "./settings.js" */
-
-/**
- * The moduli of any law but the direct one, whose exponents stay.
- * @typedef {{ law: string, k_c?: number, k_phi?: number, k?: number, m?: number, unit_weight_n_m3?: number }} Moduli
- */
 
 /**
  * To fit K_s, the service replaces a preset's law by the direct one. For a law that is spelt out, the page does so.
@@ -20,7 +16,8 @@ import { options } from "./bodies.js";
 function withFittedLaw(soil, fit) {
   const own = soil.pressure_sinkage;
   if (!own || own.law === "direct" || !fit.includes("k_s")) return soil;
-  const { k_c, k_phi, k, m, unit_weight_n_m3, ...exponents } = /** @type {Moduli} */ (own);
+  const shared = sharedNames(PRESSURE_SINKAGE);
+  const exponents = Object.fromEntries(Object.entries(own).filter(([name]) => shared.includes(name)));
   return { ...soil, pressure_sinkage: /** @type {Soil["pressure_sinkage"]} */ ({ ...exponents, law: "direct" }) };
 }
 

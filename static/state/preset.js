@@ -2,6 +2,7 @@
 
 import { numberIn } from "../quantities/field-values.js";
 import { fieldNamed } from "../quantities/fields.js";
+import { CONTACT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsOfLaw, sharedNames } from "../quantities/law-fields.js";
 
 /** @import { Catalogue, CatalogueLaw } from "../api/types.js" */
 /** @import { Preset } from "../quantities/fields.js" */
@@ -29,7 +30,7 @@ const SLIP = fieldNamed("slip");
  * @param {CatalogueLaw} law
  * @returns {CatalogueLaw}
  */
-const exponentsOf = ({ n0, n1, n2 }) => ({ n0, n1, n2 });
+const exponentsOf = (law) => Object.fromEntries(sharedNames(PRESSURE_SINKAGE).map((name) => [name, law[name]]));
 
 /**
  * @param {State} state
@@ -70,17 +71,17 @@ export function contextOf(state, catalogue) {
  * @param {Context} context
  */
 export function activeGroups(state, context) {
-  const groups = new Set(["slip", state.by, "wheel", "strength", "exponent", context.law, "contact"]);
-  groups.add(context.shearLaw === "janosi_hanamoto" ? "janosi_hanamoto" : "peak");
-  if (context.shearLaw === "wong_residual") groups.add("residual");
+  const groups = new Set(["slip", state.by, "wheel", "strength",
+    ...groupsOfLaw(PRESSURE_SINKAGE, context.law), ...groupsOfLaw(SHEAR, context.shearLaw), ...groupsOfLaw(CONTACT, context.rule)]);
   // The closed forms know neither a slip angle nor two zones.
   if (state.method === "quadrature" && !state.compare) {
     groups.add("slip_angle");
     if (context.braking || (context.slip !== null && context.slip < 0)) groups.add("braking_law");
   }
-  if (state.by === "static") groups.add("static_law");
-  if (state.by === "static" && state.slip_sinkage === "linear") groups.add("linear");
-  if (context.rule === "wong_reece") groups.add("wong_reece");
+  if (state.by === "static") {
+    groups.add("static_law");
+    groupsOfLaw(SLIP_SINKAGE, state.slip_sinkage).forEach((group) => groups.add(group));
+  }
   if (state.method === "explicit" || state.compare) groups.add("explicit");
   return groups;
 }

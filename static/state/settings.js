@@ -2,6 +2,7 @@
 
 import { siFromText, typingAdvice } from "../quantities/field-values.js";
 import { FIELDS } from "../quantities/fields.js";
+import { CONTACT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsAt } from "../quantities/law-fields.js";
 import { METHODS } from "../quantities/results.js";
 import { activeGroups, contextOf } from "./preset.js";
 
@@ -37,9 +38,9 @@ import { activeGroups, contextOf } from "./preset.js";
 
 /** @type {Record<State["by"], GivenName>} */
 const GIVEN = { sinkage: "sinkage_m", load: "normal_load_n", static: "static_sinkage_m" };
-const LAW_GROUPS = ["bekker", "direct", "reece", "diameter"];
-const SHEAR_GROUPS = ["residual", "peak"];
-const CONTACT_GROUPS = ["wong_reece", "contact"];
+const LAW_GROUPS = groupsAt(PRESSURE_SINKAGE);
+const SHEAR_GROUPS = groupsAt(SHEAR);
+const CONTACT_GROUPS = groupsAt(CONTACT);
 
 /** @param {Field} field */
 const apiName = ({ pointer }) => pointer.slice(pointer.lastIndexOf("/") + 1);
@@ -93,12 +94,12 @@ function readFields(state, context) {
  */
 function soilOf(state, context, { isTouched, overrides, complete }) {
   /** @type {Values & { shear?: Values, pressure_sinkage?: Values }} */
-  const soil = { preset: state.soil, ...overrides("strength", "janosi_hanamoto") };
+  const soil = { preset: state.soil, ...overrides("strength", ...groupsAt("/soil")) };
   if (state.shear !== null || isTouched(...SHEAR_GROUPS)) soil.shear = { law: context.shearLaw, ...complete(...SHEAR_GROUPS) };
   // Spelling out a preset's incomplete law lets the API name the moduli that are missing.
   const isIncomplete = context.soil?.missing.includes("pressure_sinkage");
-  if (state.law !== null || isIncomplete || isTouched(context.law, "exponent")) {
-    soil.pressure_sinkage = { law: context.law, ...complete(...LAW_GROUPS), ...complete("exponent") };
+  if (state.law !== null || isIncomplete || isTouched(...LAW_GROUPS)) {
+    soil.pressure_sinkage = { law: context.law, ...complete(...LAW_GROUPS) };
   }
   return /** @type {Soil} */ (soil);
 }
@@ -121,7 +122,7 @@ function commonOf(state, context, fields) {
  */
 function givenOf(state, { complete }) {
   const hasOwnLaw = state.by === "static" && state.slip_sinkage !== "lyasko";
-  const law = hasOwnLaw && { slip_sinkage: { law: state.slip_sinkage, ...complete("linear") } };
+  const law = hasOwnLaw && { slip_sinkage: { law: state.slip_sinkage, ...complete(...groupsAt(SLIP_SINKAGE)) } };
   return /** @type {GivenPart} */ ({ ...complete(state.by), ...law });
 }
 

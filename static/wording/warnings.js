@@ -2,11 +2,11 @@
 // page; what that means and what to do is the API's sentence.
 
 import { capitalised } from "../numbers/format.js";
-import { fieldAt, fieldNamed } from "../quantities/fields.js";
+import { fieldAt } from "../quantities/fields.js";
 import { MEASURED } from "../quantities/measured.js";
 import { PARAMETERS, fieldOf, valueText } from "../quantities/parameters.js";
 import { quantity } from "../quantities/results.js";
-import { DEGREE, KILOPASCAL, MILLIMETRE, MODULUS, NEWTON, ONE, PERCENT, beforeUnit } from "../quantities/units.js";
+import { PERCENT, beforeUnit, pageUnit } from "../quantities/units.js";
 import { atLines, atSlips, withoutPlace } from "./places.js";
 import { inPageUnits } from "./sentences.js";
 
@@ -24,22 +24,8 @@ import { inPageUnits } from "./sentences.js";
 
 const SHOWN_DIGITS = 4;
 
-/**
- * The units of the page for those of the API.
- * @type {Record<string, Unit>}
- */
-const UNITS = {
-  m: MILLIMETRE, Pa: KILOPASCAL, rad: DEGREE, N: NEWTON, 1: ONE,
-  "Pa/m^N": MODULUS,
-  "Pa/m^n": fieldNamed("k_s").unit,
-  "N/m^(n+1)": fieldNamed("bekker_k_c").unit,
-  "N/m^(n+2)": fieldNamed("bekker_k_phi").unit,
-  "N/m^(n+m+2)": fieldNamed("diameter_k").unit,
-  "N/m3": fieldNamed("unit_weight").unit,
-};
-
 /** @param {Warning} warning */
-const unitOf = ({ quantity: name, unit = "" }) => (name === "slip" ? PERCENT : UNITS[unit]);
+const unitOf = ({ quantity: name, unit }) => (unit === undefined ? undefined : name === "slip" ? PERCENT : pageUnit(unit));
 
 /**
  * @param {number} value (SI)

@@ -102,14 +102,30 @@ fn rows(text: &str) -> Vec<Vec<String>> {
 
 #[test]
 fn the_lists_come_as_tables_too() {
+    let model = get("/v1/model").ok();
+    // The parameters of a family, each once, but those that every soil has.
+    let of = |pointer: &str| {
+        let family = model["laws"].as_array().expect("families").iter().find(|family| family["pointer"] == pointer).expect("it");
+        let mut names: Vec<String> = Vec::new();
+        for parameter in
+            family["laws"].as_array().expect("laws").iter().flat_map(|law| law["parameters"].as_array().expect("them"))
+        {
+            let name = parameter["name"].as_str().expect("a name");
+            if !["shear_modulus_m", "unit_weight_n_m3", "c3"].contains(&name) && !names.iter().any(|known| known == name) {
+                names.push(name.to_owned());
+            }
+        }
+        names.join(",")
+    };
+    let (laws, shear, rules) = (of("/soil/pressure_sinkage"), of("/soil/shear"), of("/contact"));
+    assert!(laws.contains("k_c,k_phi,n0,n1,n2,k_s,k,m") && shear == "residual_ratio,peak_displacement_m" && rules == "c1,c2");
+    let soils = format!(
+        "id,name,kind,grade,cohesion_pa,friction_angle_rad,shear_modulus_m,lateral_shear_modulus_m,unit_weight_n_m3,law,{laws},\
+         shear_law,{shear},rule,c3,{rules}"
+    );
     for (path, name, columns) in [
         ("/v1/wheels", "wheels", "id,name,kind,grade,radius_m,width_m,lug_height_m,lug_coefficient,lug_count,nominal_load_n"),
-        (
-            "/v1/soils",
-            "soils",
-            "id,name,kind,grade,cohesion_pa,friction_angle_rad,shear_modulus_m,lateral_shear_modulus_m,unit_weight_n_m3,\
-             law,k_c,k_phi,n0,n1,n2,k_s,k,m,shear_law,residual_ratio,peak_displacement_m,rule,c3,c1,c2",
-        ),
+        ("/v1/soils", "soils", &*soils),
     ] {
         let table = |path: &str| crate::asking::send(crate::asking::request("GET", path, &[("accept", "text/csv")], ""));
         let answer = table(path);
@@ -159,6 +175,54 @@ fn an_unknown_entry_is_a_404_with_the_nearest_name() {
         let detail = get(path).problem(404)["detail"].to_string();
         assert!(detail.contains(near), "{detail}");
     }
+}
+
+/// The contract and `/v1/model` say the same of a law.
+#[test]
+fn the_model_lists_the_laws_as_the_contract_has_them() {
+    let (model, contract) = (get("/v1/model").ok(), get("/openapi.json").ok());
+    let families = model["laws"].as_array().expect("families");
+    for (pointer, tag, suffix) in
+        [("/soil/pressure_sinkage", "law", "Law"), ("/contact", "rule", "Contact"), ("/slip_sinkage", "law", "SlipSinkage")]
+    {
+        let family = families.iter().find(|family| family["pointer"] == pointer).expect("the family");
+        assert_eq!(family["tag"], tag);
+        for law in family["laws"].as_array().expect("laws") {
+            let name = law["name"].as_str().expect("a name");
+            let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+            let form = name.split('_').map(capital).collect::<String>() + suffix;
+            let form = &contract["components"]["schemas"][&form];
+            let properties = form["properties"].as_object().unwrap_or_else(|| panic!("the form of {name}"));
+            let parameters = law["parameters"].as_array().expect("parameters");
+            assert_eq!(properties.len(), parameters.len() + 1, "{name} and its tag");
+            for parameter in parameters {
+                let own = parameter["name"].as_str().expect("a name");
+                assert_eq!(parameter["pointer"], format!("{pointer}/{own}"));
+                let property = &properties[own];
+                for (ours, theirs) in [
+                    ("minimum", "minimum"),
+                    ("maximum", "maximum"),
+                    ("exclusive_maximum", "exclusiveMaximum"),
+                    ("default", "default"),
+                ] {
+                    assert_eq!(parameter[ours].as_f64(), property[theirs].as_f64(), "{ours} of {own} in {name}");
+                }
+                let meaning = parameter["meaning"].as_str().expect("a meaning");
+                assert!(property["description"].as_str().is_some_and(|text| text.ends_with(meaning)), "{own} in {name}");
+                let is_required = form["required"].as_array().is_some_and(|names| names.contains(&parameter["name"]));
+                assert_eq!(parameter["required"], is_required, "{own} in {name}");
+            }
+        }
+    }
+    let fit = contract["components"]["schemas"]["FitStart"]["properties"].as_object().expect("starts");
+    let laws = families.iter().flat_map(|family| family["laws"].as_array().expect("laws"));
+    let of_laws = laws.flat_map(|law| law["parameters"].as_array().expect("parameters"));
+    let all = of_laws.chain(model["parameters"].as_array().expect("parameters"));
+    let fittable: std::collections::BTreeSet<&str> =
+        all.filter(|parameter| parameter["fittable"] == true).filter_map(|parameter| parameter["name"].as_str()).collect();
+    // The others are those of a method and of an operating point.
+    assert_eq!(fit.keys().filter(|name| !fittable.contains(name.as_str())).count(), 3, "{fittable:?}");
+    assert!(fittable.iter().all(|name| fit.contains_key(*name)), "{fittable:?}");
 }
 
 #[test]

@@ -161,6 +161,18 @@ fn variation(path: &str, field: &Bounded, value: f64) -> Value {
     with(&base, json!({"variants": [{"name": "other", part: law}]}))
 }
 
+/// Values of a law that make a firm soil: a modulus has an exponent in its unit, the rest has none.
+fn usual_values(law: &str) -> Value {
+    let model = get("/v1/model").ok();
+    let families = model["laws"].as_array().expect("families").clone();
+    let laws = families.iter().flat_map(|family| family["laws"].as_array().expect("laws"));
+    let law = laws.into_iter().find(|known| known["name"] == law).expect("the law");
+    let required = law["parameters"].as_array().expect("parameters").iter().filter(|parameter| parameter["required"] == true);
+    let is_modulus = |parameter: &Value| parameter["unit"].as_str().is_some_and(|unit| unit.contains('^'));
+    let value = |parameter: &Value| if is_modulus(parameter) { 1e6 } else { 1.0 };
+    required.map(|parameter| (parameter["name"].as_str().expect("a name").to_owned(), json!(value(parameter)))).collect()
+}
+
 /// A request around the field in which both its bounds are physically possible.
 fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
     if field.pointer.starts_with("/variants/") {
@@ -187,7 +199,7 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         ("direct", _) => json!({"k_s": 1e6, "n0": 1}),
         ("reece", Some("k_c")) => json!({"k_c": 0, "k_phi": 100, "unit_weight_n_m3": 1e4, "n0": 1}),
         ("reece", _) => json!({"k_c": 1e9, "k_phi": 1, "unit_weight_n_m3": 1e3, "n0": 1}),
-        _ => json!({"k": 1e6, "m": 1, "n0": 1}),
+        _ => usual_values(law),
     };
     let around_law = match (law, field.pointer.rsplit('/').next()) {
         ("reece", Some("k_c")) => json!({"cohesion_pa": 0}),

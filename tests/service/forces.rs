@@ -140,7 +140,21 @@ fn forces_as_a_table_are_one_row() {
     assert!(answer.header("content-type").starts_with("text/csv"));
     let reply = post("/v1/forces", &letter()).ok();
     let columns = table(&answer.text);
-    assert_eq!(columns.len(), 11);
+    for name in [
+        "slip",
+        "sinkage_m",
+        "longitudinal_force_n",
+        "normal_force_n",
+        "torque_n_m",
+        "traction_n",
+        "resistance_n",
+        "normal_support_n",
+        "shear_support_n",
+        "drawbar_coefficient",
+        "tractive_efficiency",
+    ] {
+        assert!(columns.iter().any(|(column, _)| column == name), "{name}");
+    }
     for (name, column) in columns {
         let expected = reply.get(&name).or_else(|| reply["components"].get(&name)).and_then(Value::as_f64);
         assert_eq!(column, [expected], "{name}");

@@ -4,10 +4,12 @@
 //! through the assumed shape of the stresses, and the error of that shape is far larger than the difference. The derivatives do
 //! not show this: within the model they may still be independent.
 
+use terramechanics::{Parametrised, SinkageExponent};
+
 use crate::observations::Observations;
 use crate::quantity::Quantity;
 use crate::setup::Prediction;
-use crate::unknown::Unknown;
+use crate::unknown::{Home, Unknown};
 
 /// What the operating points do not vary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,16 +45,19 @@ pub(crate) fn gaps(
 ) -> Vec<(DesignGap, Vec<Unknown>)> {
     use Unknown as U;
     let has = |unknown: U| sought.contains(&unknown);
-    let strength: Vec<U> = [U::Cohesion, U::FrictionAngle].into_iter().filter(|&unknown| has(unknown)).collect();
-    let moduli: Vec<U> = [U::SinkageModulus, U::CohesiveModulus, U::FrictionalModulus].into_iter().filter(|&u| has(u)).collect();
+    let strength: Vec<U> = [U::COHESION, U::FRICTION_ANGLE].into_iter().filter(|&unknown| has(unknown)).collect();
+    // What a pressure–sinkage law has besides its exponent.
+    let is_of_exponent = |unknown: U| SinkageExponent::PARAMETERS.contains(unknown.parameter());
+    let moduli = U::ALL.into_iter().filter(|&unknown| unknown.home() == Home::PressureSinkage && !is_of_exponent(unknown));
+    let moduli: Vec<U> = moduli.filter(|&unknown| has(unknown)).collect();
     let mut found = Vec::new();
     if is_one_slip(observations) {
         let mut together = Vec::new();
-        if has(U::ShearModulus) && !strength.is_empty() {
-            together.push(U::ShearModulus);
+        if has(U::SHEAR_MODULUS) && !strength.is_empty() {
+            together.push(U::SHEAR_MODULUS);
             together.extend(&strength);
         }
-        for pair in [[U::BaseExponent, U::SlipGain], [U::PeakIntercept, U::PeakSlipGain]] {
+        for pair in [[U::BASE_EXPONENT, U::SLIP_GAIN], [U::PEAK_INTERCEPT, U::PEAK_SLIP_GAIN]] {
             if pair.into_iter().all(has) {
                 together.extend(pair);
             }
@@ -64,15 +69,15 @@ pub(crate) fn gaps(
         if strength.len() == 2 {
             together.extend(&strength);
         }
-        if !moduli.is_empty() && has(U::BaseExponent) {
+        if !moduli.is_empty() && has(U::BASE_EXPONENT) {
             together.extend(&moduli);
-            together.push(U::BaseExponent);
+            together.push(U::BASE_EXPONENT);
         }
         found.push((DesignGap::OneLoad, together));
     }
     if fitted == [Quantity::Normal] {
         let mut together = strength;
-        together.extend([U::ShearModulus].into_iter().filter(|&unknown| has(unknown)));
+        together.extend([U::SHEAR_MODULUS].into_iter().filter(|&unknown| has(unknown)));
         found.push((DesignGap::NormalForceOnly, together));
     }
     let points = distinct_points(observations, predictions, sought.len());

@@ -53,7 +53,7 @@ const SAME_COST: f64 = 1e-6;
 ///     torque: column([1.2247, 2.9912, 5.0744, 8.3513]),
 ///     ..Observations::default()
 /// };
-/// let sought = [Unknown::FrictionAngle, Unknown::ShearModulus].map(|unknown| Sought::from_setup(unknown, &setup));
+/// let sought = [Unknown::FRICTION_ANGLE, Unknown::SHEAR_MODULUS].map(|unknown| Sought::from_setup(unknown, &setup));
 /// let found = fit(&setup, &observations, &sought, &FitOptions::default())?;
 /// assert!(found.converged() && found.is_identifiable());
 /// assert!((found.estimates[0].value - 0.478).abs() < 1e-4 && (found.estimates[1].value - 0.005).abs() < 1e-5);

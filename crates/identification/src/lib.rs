@@ -47,8 +47,8 @@ pub use estimate::{Bound, Estimate, Identifiability};
 pub use fit::{fit, fit_while};
 pub use fitted_column::FittedColumn;
 pub use linear::{
-    LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint, fit_line,
-    fit_line_while, linear_strength,
+    LEAST_MOBILISATION, LinearFit, RollingSample, RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, StressPoint,
+    fit_line, fit_line_while, linear_strength,
 };
 pub use loss::Loss;
 pub use observations::{Column, MOST_SAMPLES, Observations};
@@ -61,4 +61,4 @@ pub use search::StopReason;
 pub use setup::{Setup, SinkageSource};
 pub use shear_curves::{MOST_CURVES, ShearCurve, ShearError, ShearFit, fit_shear_curves, fit_shear_curves_while};
 pub use student::quantile_95;
-pub use unknown::{Range, Unknown};
+pub use unknown::{Home, Range, Unknown};

@@ -16,13 +16,14 @@
 use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
+use terramechanics::Bekker;
 
 use crate::consent::{Consent, Stopped};
 use crate::estimate::{Estimate, Identifiability};
 use crate::observations::MOST_SAMPLES;
 use crate::range::{self, finite, finite_ends};
 use crate::student::quantile_95;
-use crate::unknown::{SLIGHT, Unknown};
+use crate::unknown::Unknown;
 
 mod curves;
 
@@ -187,16 +188,15 @@ pub fn fit_plates_while(curves: &[PlateCurve], go_on: &dyn Fn() -> bool) -> Resu
         .map(|(measured, predicted)| (predicted - measured).powi(2))
         .sum();
     let width = 1.0 / mean;
-    // An interval of k_c that contains 0 leaves its sign open, unless k_c matters little either way.
-    let useful = [k_c.abs().max(SLIGHT * width * k_phi.abs()), k_phi.abs(), 0.3];
-    let unknowns = [Unknown::CohesiveModulus, Unknown::FrictionalModulus, Unknown::BaseExponent];
+    let unknowns = [Unknown::COHESIVE_MODULUS, Unknown::FRICTIONAL_MODULUS, Unknown::BASE_EXPONENT];
     let values = [k_c, k_phi, exponent];
     let fit = PlatesFit {
         estimates: std::array::from_fn(|i| {
             // A variance that overflowed or underflowed is not a variance of 0.
             let variance = finite(covariance[(i, i)]).filter(|_| degrees_of_freedom >= 1.0);
             let error = variance.map(|variance| variance.max(0.0).sqrt());
-            stated(unknowns[i], values[i], error, degrees_of_freedom, useful[i])
+            let useful = unknowns[i].useful_beside(values[i], width, |name| (name == Bekker::K_PHI.name).then_some(k_phi));
+            stated(unknowns[i], values[i], error, degrees_of_freedom, useful)
         }),
         plates,
         correlation: std::array::from_fn(|i| {

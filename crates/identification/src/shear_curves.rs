@@ -189,7 +189,7 @@ fn report(curves: &[ShearCurve], points: &Points<'_>, law: &Law) -> Result<Shear
     let slopes = [points.unit, angle_per_tangent, law.modulus];
     let at_zero = [law.cohesion == 0.0, law.tan_friction == 0.0, false];
     let mut estimates = std::array::from_fn(|i| Estimate {
-        unknown: [Unknown::Cohesion, Unknown::FrictionAngle, Unknown::ShearModulus][i],
+        unknown: [Unknown::COHESION, Unknown::FRICTION_ANGLE, Unknown::SHEAR_MODULUS][i],
         value: [cohesion, law.tan_friction.atan(), law.modulus][i],
         standard_error: None,
         interval: None,

@@ -1,307 +1,225 @@
-//! Which numbers can be fitted, within which bounds, and on which scale.
+//! Which numbers can be fitted, within which bounds, and on which scale? Those that the tables of the model say.
+
+mod range;
+mod scale;
+mod table;
 
 use std::fmt;
 
-use terramechanics::{Lambda, Method, PeakRule, PressureSinkage, ShearLaw};
+use terramechanics::{
+    Bekker, Direct, Fittable, JanosiHanamoto, Lambda, Law, Method, Parameter, SinkageExponent, Soil, SoilParams, Tolerance,
+    WheelOnSoil, WongReece,
+};
+
+pub use range::Range;
+pub(crate) use scale::Scale;
 
 use crate::setup::{Setup, SinkageSource};
+pub use table::Home;
+use table::{COUNT, ROWS, Row};
 
-/// A number that a fit may find.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Unknown {
-    /// Cohesion c (Pa).
-    Cohesion,
-    /// Internal friction angle φ (rad).
-    FrictionAngle,
-    /// Shear deformation modulus K (m).
-    ShearModulus,
-    /// Sinkage modulus K_s of the direct law (Pa/m^N).
-    SinkageModulus,
-    /// Cohesive modulus k_c of Bekker's or Reece's law.
-    CohesiveModulus,
-    /// Frictional modulus k_φ of Bekker's or Reece's law.
-    FrictionalModulus,
-    /// Sinkage exponent without slip n0 (–).
-    BaseExponent,
-    /// Gain of the exponent with slip n1 (–).
-    SlipGain,
-    /// c1 of Wong & Reece's rule (–).
-    PeakIntercept,
-    /// c2 of Wong & Reece's rule (–).
-    PeakSlipGain,
-    /// λ_A of the explicit method (–).
-    LambdaA,
-    /// λ_B of the explicit method (–).
-    LambdaB,
-    /// Static sinkage z0 (m).
-    StaticSinkage,
-}
-
-/// Below this share of the frictional modulus times the width, the sign of the cohesive modulus does not matter.
-pub(crate) const SLIGHT: f64 = 0.01;
-
-/// A closed range of values.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// Smallest value.
-    pub lower: f64,
-    /// Largest value.
-    pub upper: f64,
-}
-
-impl Range {
-    /// A range between two values.
-    #[must_use]
-    pub const fn new(lower: f64, upper: f64) -> Self {
-        Self { lower, upper }
-    }
-
-    /// Whether both ends are finite and the lower one is below the upper one.
-    #[must_use]
-    pub fn is_proper(&self) -> bool {
-        self.lower.is_finite() && self.upper.is_finite() && self.lower < self.upper
-    }
-
-    /// Whether a value is inside.
-    #[must_use]
-    pub fn contains(&self, value: f64) -> bool {
-        (self.lower..=self.upper).contains(&value)
-    }
-
-    /// The overlap of two ranges; this one where they do not overlap.
-    fn shared_with(&self, other: &Self) -> Self {
-        let shared = Self::new(self.lower.max(other.lower), self.upper.min(other.upper));
-        if shared.is_proper() { shared } else { *self }
-    }
-}
+/// A number that a fit may find: its place among those that the model's tables list.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Unknown(u8);
 
 impl Unknown {
     /// All of them.
-    pub const ALL: [Self; 13] = [
-        Self::Cohesion,
-        Self::FrictionAngle,
-        Self::ShearModulus,
-        Self::SinkageModulus,
-        Self::CohesiveModulus,
-        Self::FrictionalModulus,
-        Self::BaseExponent,
-        Self::SlipGain,
-        Self::PeakIntercept,
-        Self::PeakSlipGain,
-        Self::LambdaA,
-        Self::LambdaB,
-        Self::StaticSinkage,
-    ];
+    pub const ALL: [Self; COUNT] = {
+        let mut all = [Self(0); COUNT];
+        let mut i = 0;
+        while i < COUNT {
+            all[i] = Self(i as u8);
+            i += 1;
+        }
+        all
+    };
+
+    /// Cohesion c (Pa).
+    pub const COHESION: Self = Self::of(&Soil::COHESION);
+    /// Internal friction angle φ (rad).
+    pub const FRICTION_ANGLE: Self = Self::of(&Soil::FRICTION_ANGLE);
+    /// Shear deformation modulus K (m).
+    pub const SHEAR_MODULUS: Self = Self::of(&JanosiHanamoto::MODULUS);
+    /// Sinkage modulus K_s of the direct law (Pa/m^N).
+    pub const SINKAGE_MODULUS: Self = Self::of(&Direct::K_S);
+    /// Cohesive modulus k_c of Bekker's or Reece's law.
+    pub const COHESIVE_MODULUS: Self = Self::of(&Bekker::K_C);
+    /// Frictional modulus k_φ of Bekker's or Reece's law.
+    pub const FRICTIONAL_MODULUS: Self = Self::of(&Bekker::K_PHI);
+    /// Sinkage exponent without slip n0 (–).
+    pub const BASE_EXPONENT: Self = Self::of(&SinkageExponent::BASE);
+    /// Gain of the exponent with slip n1 (–).
+    pub const SLIP_GAIN: Self = Self::of(&SinkageExponent::SLIP_GAIN);
+    /// c1 of Wong & Reece's rule (–).
+    pub const PEAK_INTERCEPT: Self = Self::of(&WongReece::C1);
+    /// c2 of Wong & Reece's rule (–).
+    pub const PEAK_SLIP_GAIN: Self = Self::of(&WongReece::C2);
+    /// λ_A of the explicit method (–).
+    pub const LAMBDA_A: Self = Self::of(&Lambda::A);
+    /// λ_B of the explicit method (–).
+    pub const LAMBDA_B: Self = Self::of(&Lambda::B);
+    /// Static sinkage z0 (m).
+    pub const STATIC_SINKAGE: Self = Self::of(&WheelOnSoil::STATIC_SINKAGE);
+
+    /// The unknown that is that parameter. For one that cannot be fitted this does not compile.
+    const fn of(parameter: &Parameter) -> Self {
+        Self::ALL[table::place_of(parameter.name)]
+    }
+
+    const fn row(self) -> &'static Row {
+        &ROWS[self.0 as usize]
+    }
+
+    const fn fittable(self) -> &'static Fittable {
+        self.row().fittable
+    }
+
+    /// What is declared of it; where several laws have it, in the first of them.
+    #[must_use]
+    pub const fn parameter(self) -> &'static Parameter {
+        &self.fittable().parameter
+    }
+
+    /// Its name for programs.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.parameter().name
+    }
+
+    /// What of a setup has it.
+    #[must_use]
+    pub const fn home(self) -> Home {
+        self.row().home
+    }
 
     /// Bounds where none are given: physical limits, wide enough for every measured soil.
     #[must_use]
     pub fn bounds(self) -> Range {
-        match self {
-            Self::Cohesion => Range::new(0.0, 1e6),
-            Self::FrictionAngle => Range::new(0.0, 1.5),
-            Self::ShearModulus => Range::new(1e-5, 1.0),
-            Self::SinkageModulus => Range::new(1.0, 1e13),
-            Self::CohesiveModulus => Range::new(-1e8, 1e8),
-            Self::FrictionalModulus => Range::new(1.0, 1e11),
-            Self::BaseExponent => Range::new(0.05, 5.0),
-            Self::SlipGain => Range::new(-3.0, 10.0),
-            Self::PeakIntercept => Range::new(-0.5, 1.5),
-            Self::PeakSlipGain => Range::new(-2.0, 2.0),
-            Self::LambdaA | Self::LambdaB => Range::new(-1.0, 1.0),
-            Self::StaticSinkage => Range::new(1e-6, 10.0),
-        }
+        let [lower, upper] = self.fittable().bounds;
+        Range::new(lower, upper)
     }
 
     /// Range of further starts: the values of sands, regoliths and their simulants.
     pub(crate) fn search_range(self, bounds: &Range) -> Range {
-        let usual = match self {
-            Self::Cohesion => Range::new(0.0, 3e3),
-            Self::FrictionAngle => Range::new(0.3, 0.8),
-            Self::ShearModulus => Range::new(3e-3, 0.05),
-            Self::SinkageModulus | Self::FrictionalModulus => Range::new(3e4, 3e7),
-            Self::CohesiveModulus => Range::new(-1e4, 1e5),
-            Self::BaseExponent => Range::new(0.5, 1.5),
-            Self::SlipGain => Range::new(-0.1, 1.0),
-            Self::PeakIntercept => Range::new(0.2, 0.6),
-            Self::PeakSlipGain => Range::new(-0.2, 0.4),
-            Self::LambdaA | Self::LambdaB => Range::new(-0.3, 0.3),
-            Self::StaticSinkage => Range::new(1e-3, 0.05),
-        };
-        bounds.shared_with(&usual)
+        let [lower, upper] = self.fittable().usual;
+        bounds.shared_with(&Range::new(lower, upper))
     }
 
     /// A start where neither the soil nor the caller has one.
     #[must_use]
     pub fn typical(self) -> f64 {
-        match self {
-            Self::Cohesion => 200.0,
-            Self::FrictionAngle => 0.5,
-            Self::ShearModulus => 0.015,
-            Self::SinkageModulus | Self::FrictionalModulus => 1e6,
-            Self::CohesiveModulus => 0.0,
-            Self::BaseExponent => 1.0,
-            Self::SlipGain | Self::LambdaA | Self::LambdaB => 0.0,
-            Self::PeakIntercept => 0.4,
-            Self::PeakSlipGain => 0.1,
-            Self::StaticSinkage => 0.01,
-        }
+        self.fittable().typical
     }
 
-    /// Largest useful error of an estimate of `value`; an estimate that is less certain counts as not determined. For moduli
-    /// and lengths it is the value itself, for the others a fixed share of the range of soils.
+    /// How far off a value may be and still be of use, beside a value of `value`; an estimate that is less certain counts as
+    /// not determined.
     pub(crate) fn useful_width(self, value: f64, setup: &Setup) -> f64 {
-        match self {
-            Self::Cohesion => value.abs().max(500.0),
-            Self::FrictionAngle => 0.2,
-            Self::ShearModulus | Self::SinkageModulus | Self::FrictionalModulus | Self::StaticSinkage => value.abs(),
-            Self::CohesiveModulus => {
-                let frictional = Self::FrictionalModulus.value(setup).unwrap_or(0.0);
-                value.abs().max(SLIGHT * setup.wheel.width() * frictional.abs())
-            }
-            Self::BaseExponent | Self::LambdaA | Self::LambdaB => 0.3,
-            Self::SlipGain => 0.5,
-            Self::PeakIntercept => 0.2,
-            Self::PeakSlipGain => 0.4,
+        let other = |name: &str| Self::ALL.into_iter().find(|other| other.name() == name)?.value(setup);
+        self.useful_beside(value, setup.wheel.width(), other)
+    }
+
+    /// The same under a plate or a wheel of that width, with the other parameters by name.
+    pub(crate) fn useful_beside(self, value: f64, width: f64, other: impl Fn(&str) -> Option<f64>) -> f64 {
+        match self.fittable().tolerance {
+            Tolerance::Fixed(width) => width,
+            Tolerance::Size => value.abs(),
+            Tolerance::SizeOr(least) => value.abs().max(least),
+            Tolerance::SizeOrShare { share, of } => value.abs().max(share * width * other(of).unwrap_or(0.0).abs()),
         }
     }
 
     /// The scale on which the fit moves the value.
     pub(crate) fn scale(self, bounds: &Range, start: f64) -> Scale {
-        match self {
-            Self::ShearModulus | Self::SinkageModulus | Self::FrictionalModulus | Self::StaticSinkage if bounds.lower > 0.0 => {
-                Scale::Logarithmic
-            }
-            Self::Cohesion => Scale::Linear { unit: 1e3 },
-            Self::CohesiveModulus | Self::FrictionalModulus => Scale::Linear { unit: start.abs().max(1e4) },
-            Self::SinkageModulus => Scale::Linear { unit: start.abs().max(1.0) },
-            Self::ShearModulus | Self::StaticSinkage => Scale::Linear { unit: 0.01 },
-            _ => Scale::Linear { unit: 1.0 },
-        }
+        Scale::of(&self.fittable().step, bounds, start)
     }
 
     /// Its value in a setup; none where the setup has no such parameter.
     #[must_use]
     pub fn value(self, setup: &Setup) -> Option<f64> {
-        let Setup { mut soil, mut contact, mut model, mut sinkage, .. } = *setup;
-        self.place(&mut soil, &mut contact, &mut model.method, &mut sinkage).map(|value| *value)
+        let Setup { soil, contact, model, sinkage, .. } = setup;
+        match self.row().home {
+            Home::Soil => found(Soil::PARAMETERS, &soil.values(), self.name()),
+            Home::Shear => soil.shear.and_then(|law| self.of_law(law.law(), &law.values())),
+            Home::PressureSinkage => soil.pressure_sinkage.and_then(|law| self.of_law(law.law(), &law.values())),
+            Home::Rule => self.of_law(contact.rule.law(), &contact.rule.values()),
+            Home::Method => match model.method {
+                Method::Explicit { lambda_a: Lambda::Given(value), .. } if self == Self::LAMBDA_A => Some(value),
+                Method::Explicit { lambda_b: Lambda::Given(value), .. } if self == Self::LAMBDA_B => Some(value),
+                _ => None,
+            },
+            Home::Sinkage => match sinkage {
+                SinkageSource::Static { static_sinkage, .. } => Some(*static_sinkage),
+                SinkageSource::Measured | SinkageSource::Load => None,
+            },
+        }
     }
 
     /// The setup with another value; the same where it has no such parameter.
     #[must_use]
     pub fn replaced(self, setup: &Setup, value: f64) -> Setup {
         let mut changed = *setup;
-        if let Some(place) = self.place(&mut changed.soil, &mut changed.contact, &mut changed.model.method, &mut changed.sinkage)
-        {
-            *place = value;
+        let Setup { soil, contact, model, sinkage, .. } = &mut changed;
+        match self.row().home {
+            Home::Soil => {
+                let mut values = soil.values();
+                if let Some(place) = Soil::PARAMETERS.iter().position(|parameter| parameter.name == self.name()) {
+                    values[place] = Some(value);
+                }
+                let laws = (soil.shear, soil.pressure_sinkage);
+                *soil = SoilParams::from_values(values).unwrap_or(*soil);
+                (soil.shear, soil.pressure_sinkage) = laws;
+            }
+            Home::Shear => soil.shear = soil.shear.map(|law| self.in_law(law.law(), law.values(), value).unwrap_or(law)),
+            Home::PressureSinkage => {
+                soil.pressure_sinkage =
+                    soil.pressure_sinkage.map(|law| self.in_law(law.law(), law.values(), value).unwrap_or(law));
+            }
+            Home::Rule => {
+                let rule = contact.rule;
+                contact.rule = self.in_law(rule.law(), rule.values(), value).unwrap_or(rule);
+            }
+            Home::Method => match &mut model.method {
+                Method::Explicit { lambda_a: Lambda::Given(place), .. } if self == Self::LAMBDA_A => *place = value,
+                Method::Explicit { lambda_b: Lambda::Given(place), .. } if self == Self::LAMBDA_B => *place = value,
+                _ => {}
+            },
+            Home::Sinkage => {
+                if let SinkageSource::Static { static_sinkage, .. } = sinkage {
+                    *static_sinkage = value;
+                }
+            }
         }
         changed
     }
 
-    /// The place of the value in a setup.
-    fn place<'a>(
-        self,
-        soil: &'a mut terramechanics::SoilParams,
-        contact: &'a mut terramechanics::ContactParams,
-        method: &'a mut Method,
-        sinkage: &'a mut SinkageSource,
-    ) -> Option<&'a mut f64> {
-        let exponent = |law: &'a mut PressureSinkage| match law {
-            PressureSinkage::Bekker(law) => &mut law.exponent,
-            PressureSinkage::Direct(law) => &mut law.exponent,
-            PressureSinkage::Reece(law) => &mut law.exponent,
-            PressureSinkage::Diameter(law) => &mut law.exponent,
-        };
-        let law = soil.pressure_sinkage.as_mut();
-        match (self, law) {
-            (Self::Cohesion, _) => Some(&mut soil.cohesion),
-            (Self::FrictionAngle, _) => Some(&mut soil.friction_angle),
-            (Self::ShearModulus, _) => match &mut soil.shear {
-                Some(ShearLaw::JanosiHanamoto(law)) => Some(&mut law.modulus),
-                Some(ShearLaw::WongResidual(_) | ShearLaw::WongPeak(_)) | None => None,
-            },
-            (Self::SinkageModulus, Some(PressureSinkage::Direct(law))) => Some(&mut law.k_s),
-            (Self::CohesiveModulus, Some(PressureSinkage::Bekker(law))) => Some(&mut law.k_c),
-            (Self::CohesiveModulus, Some(PressureSinkage::Reece(law))) => Some(&mut law.k_c),
-            (Self::FrictionalModulus, Some(PressureSinkage::Bekker(law))) => Some(&mut law.k_phi),
-            (Self::FrictionalModulus, Some(PressureSinkage::Reece(law))) => Some(&mut law.k_phi),
-            (Self::BaseExponent, Some(law)) => Some(&mut exponent(law).base),
-            (Self::SlipGain, Some(law)) => Some(&mut exponent(law).slip_gain),
-            (Self::PeakIntercept, _) => match &mut contact.rule {
-                PeakRule::WongReece(rule) => Some(&mut rule.c1),
-                PeakRule::Midpoint | PeakRule::HalfSinkage => None,
-            },
-            (Self::PeakSlipGain, _) => match &mut contact.rule {
-                PeakRule::WongReece(rule) => Some(&mut rule.c2),
-                PeakRule::Midpoint | PeakRule::HalfSinkage => None,
-            },
-            (Self::LambdaA, _) => match method {
-                Method::Explicit { lambda_a: Lambda::Given(value), .. } => Some(value),
-                _ => None,
-            },
-            (Self::LambdaB, _) => match method {
-                Method::Explicit { lambda_b: Lambda::Given(value), .. } => Some(value),
-                _ => None,
-            },
-            (Self::StaticSinkage, _) => match sinkage {
-                SinkageSource::Static { static_sinkage, .. } => Some(static_sinkage),
-                SinkageSource::Measured | SinkageSource::Load => None,
-            },
-            _ => None,
-        }
+    /// Its value among those of a law, if the law has such an unknown.
+    fn of_law<F>(self, law: &Law<F>, values: &[Option<f64>]) -> Option<f64> {
+        let is_fittable = law.fittable.iter().any(|fittable| fittable.parameter.name == self.name());
+        found(law.parameters, values, self.name()).filter(|_| is_fittable)
     }
+
+    /// The law of these values with another one of its own; none where the law has no such unknown.
+    fn in_law<F>(self, law: &Law<F>, mut values: Vec<Option<f64>>, value: f64) -> Option<F> {
+        self.of_law(law, &values)?;
+        let place = law.parameters.iter().position(|parameter| parameter.name == self.name())?;
+        values[place] = Some(value);
+        law.from_values(&values).ok()
+    }
+}
+
+/// The value of a name.
+fn found(parameters: &[Parameter], values: &[Option<f64>], name: &str) -> Option<f64> {
+    parameters.iter().zip(values).find(|(parameter, _)| parameter.name == name).and_then(|(_, value)| *value)
 }
 
 impl fmt::Display for Unknown {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Cohesion => "c",
-            Self::FrictionAngle => "φ",
-            Self::ShearModulus => "K",
-            Self::SinkageModulus => "K_s",
-            Self::CohesiveModulus => "k_c",
-            Self::FrictionalModulus => "k_φ",
-            Self::BaseExponent => "n0",
-            Self::SlipGain => "n1",
-            Self::PeakIntercept => "c1",
-            Self::PeakSlipGain => "c2",
-            Self::LambdaA => "λ_A",
-            Self::LambdaB => "λ_B",
-            Self::StaticSinkage => "z0",
-        })
+        f.write_str(self.parameter().symbol)
     }
 }
 
-/// The scale on which the fit moves a value, with numbers of about one.
-///
-/// Moduli span decades and K_s z^N is a straight line in ln K_s and N, so they move on a logarithmic scale.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Scale {
-    /// value/unit.
-    Linear { unit: f64 },
-    /// ln value.
-    Logarithmic,
-}
-
-impl Scale {
-    pub(crate) fn inward(self, value: f64) -> f64 {
-        match self {
-            Self::Linear { unit } => value / unit,
-            Self::Logarithmic => value.ln(),
-        }
-    }
-
-    pub(crate) fn outward(self, scaled: f64) -> f64 {
-        match self {
-            Self::Linear { unit } => scaled * unit,
-            Self::Logarithmic => scaled.exp(),
-        }
-    }
-
-    /// d value/d scaled.
-    pub(crate) fn slope(self, value: f64) -> f64 {
-        match self {
-            Self::Linear { unit } => unit,
-            Self::Logarithmic => value,
-        }
+impl fmt::Debug for Unknown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Unknown({})", self.name())
     }
 }

@@ -53,7 +53,7 @@ impl Valley for FitValley<'_> {
 
     fn is_natural(&self, i: usize, side: f64) -> bool {
         let one = self.problem.sought[i];
-        side < 0.0 && one.bounds.lower == 0.0 && matches!(one.unknown, Unknown::Cohesion | Unknown::FrictionAngle)
+        side < 0.0 && one.bounds.lower == 0.0 && matches!(one.unknown, Unknown::COHESION | Unknown::FRICTION_ANGLE)
     }
 
     fn rise_along(&self, i: usize, step: f64) -> Result<f64, Obstacle> {

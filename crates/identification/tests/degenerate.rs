@@ -27,11 +27,12 @@ fn a_single_slip() {
         let observations = measured(&truth, &one_slip);
         let found = fitted(&truth, &observations, &five(&truth));
         assert!(!found.is_identifiable());
-        assert!(matches!(finding(&found, Unknown::ShearModulus), Identifiability::Unseparated(DesignGap::OneSlip, _)));
+        assert!(matches!(finding(&found, Unknown::SHEAR_MODULUS), Identifiability::Unseparated(DesignGap::OneSlip, _)));
         // N = n0 + n1 s at one s: no design flag is needed, the direction is dead.
-        let exponents = sought(&truth, &[(Unknown::BaseExponent, 1.1), (Unknown::SlipGain, 0.0), (Unknown::SinkageModulus, 2e6)]);
+        let exponents =
+            sought(&truth, &[(Unknown::BASE_EXPONENT, 1.1), (Unknown::SLIP_GAIN, 0.0), (Unknown::SINKAGE_MODULUS, 2e6)]);
         let found = fitted(&truth, &observations, &exponents);
-        assert_eq!(finding(&found, Unknown::BaseExponent), &Identifiability::Inseparable(vec![Unknown::SlipGain]));
+        assert_eq!(finding(&found, Unknown::BASE_EXPONENT), &Identifiability::Inseparable(vec![Unknown::SLIP_GAIN]));
         assert!(found.condition_number.is_infinite() && found.estimates[0].standard_error.is_none());
         assert!(found.estimates[2].standard_error.is_some(), "the modulus is told apart");
         let [(_, n0), (_, n1), (_, modulus)] = found.dead_directions[0][..] else { panic!("one direction of three") };
@@ -54,7 +55,7 @@ fn a_single_load() {
         };
         let found = fitted(&truth, &observations, &five(&truth));
         assert!(!found.is_identifiable());
-        for unknown in [Unknown::Cohesion, Unknown::SinkageModulus, Unknown::BaseExponent] {
+        for unknown in [Unknown::COHESION, Unknown::SINKAGE_MODULUS, Unknown::BASE_EXPONENT] {
             assert!(matches!(
                 finding(&found, unknown),
                 Identifiability::Unseparated(DesignGap::OneLoad, _) | Identifiability::Inseparable(_)
@@ -71,11 +72,11 @@ fn nothing_but_the_normal_force() {
         let observations = Observations { longitudinal: None, torque: None, ..all };
         let found = fitted(&truth, &observations, &five(&truth));
         assert!(!found.is_identifiable());
-        for unknown in [Unknown::Cohesion, Unknown::FrictionAngle, Unknown::ShearModulus] {
+        for unknown in [Unknown::COHESION, Unknown::FRICTION_ANGLE, Unknown::SHEAR_MODULUS] {
             assert!(!finding(&found, unknown).is_determined(), "{unknown}");
         }
         // The pressure–sinkage law alone is what a normal force over sinkage shows.
-        let law = sought(&truth, &[(Unknown::SinkageModulus, 3e5), (Unknown::BaseExponent, 1.3)]);
+        let law = sought(&truth, &[(Unknown::SINKAGE_MODULUS, 3e5), (Unknown::BASE_EXPONENT, 1.3)]);
         assert!(fitted(&truth, &observations, &law).is_identifiable());
     }
 }
@@ -95,11 +96,11 @@ fn both_of_bekkers_moduli_on_one_wheel() {
     let exponent = truth.soil.pressure_sinkage.expect("a law").exponent();
     truth.soil.pressure_sinkage =
         Some(terramechanics::PressureSinkage::Bekker(terramechanics::Bekker { k_c: 5e3, k_phi: 8e5, exponent }));
-    let moduli = sought(&truth, &[(Unknown::CohesiveModulus, 0.0), (Unknown::FrictionalModulus, 5e5)]);
+    let moduli = sought(&truth, &[(Unknown::COHESIVE_MODULUS, 0.0), (Unknown::FRICTIONAL_MODULUS, 5e5)]);
     let found = fitted(&truth, &measured(&truth, &programme(30)), &moduli);
-    assert_eq!(finding(&found, Unknown::CohesiveModulus), &Identifiability::Inseparable(vec![Unknown::FrictionalModulus]));
+    assert_eq!(finding(&found, Unknown::COHESIVE_MODULUS), &Identifiability::Inseparable(vec![Unknown::FRICTIONAL_MODULUS]));
     let modulus = |setup: &Setup| {
-        Unknown::CohesiveModulus.value(setup).expect("k_c") / 0.12 + Unknown::FrictionalModulus.value(setup).expect("k_φ")
+        Unknown::COHESIVE_MODULUS.value(setup).expect("k_c") / 0.12 + Unknown::FRICTIONAL_MODULUS.value(setup).expect("k_φ")
     };
     assert!((modulus(&found.setup) / modulus(&truth) - 1.0).abs() < 1e-6, "what is one number is found");
 }
@@ -110,9 +111,9 @@ fn a_parameter_that_the_data_do_not_know() {
     let mut truth = truth(Method::EXPLICIT, SinkageSource::Measured);
     truth.soil.shear = Some(terramechanics::ShearLaw::JanosiHanamoto(terramechanics::JanosiHanamoto { modulus: 2e-5 }));
     let full: Vec<(f64, f64)> = programme(10).into_iter().map(|(_, sinkage)| (1.0, sinkage)).collect();
-    let start = sought(&truth, &[(Unknown::ShearModulus, 2e-5)]);
+    let start = sought(&truth, &[(Unknown::SHEAR_MODULUS, 2e-5)]);
     let found = fitted(&truth, &measured(&truth, &full), &start);
-    assert_eq!(finding(&found, Unknown::ShearModulus), &Identifiability::WithoutEffect);
+    assert_eq!(finding(&found, Unknown::SHEAR_MODULUS), &Identifiability::WithoutEffect);
 }
 
 /// Noise that swamps the effect of a parameter makes it uncertain, and that is said.
@@ -177,7 +178,7 @@ fn one_point_over_and_over() {
     };
     let truth = truth(method, SinkageSource::Measured);
     let observations = measured(&truth, &[(0.3, 0.02); 6]);
-    let unknowns = sought(&truth, &[(Unknown::FrictionAngle, 0.45), (Unknown::SinkageModulus, 5e5), (Unknown::LambdaA, 0.0)]);
+    let unknowns = sought(&truth, &[(Unknown::FRICTION_ANGLE, 0.45), (Unknown::SINKAGE_MODULUS, 5e5), (Unknown::LAMBDA_A, 0.0)]);
     let found = fitted(&truth, &observations, &unknowns);
     assert!(!found.is_identifiable());
     assert!(found.gaps.iter().any(|(gap, together)| *gap == DesignGap::FewPoints && together.len() == 3), "{:?}", found.gaps);

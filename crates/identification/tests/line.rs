@@ -53,8 +53,8 @@ fn one_load_never_determines_cohesion_and_friction() {
     assert!(found.converged && !found.is_identifiable());
     assert_eq!(found.gaps, [DesignGap::OneLoad]);
     let [cohesion, friction] = &found.estimates;
-    assert_eq!(cohesion.identifiability, Identifiability::Unseparated(DesignGap::OneLoad, vec![Unknown::FrictionAngle]));
-    assert_eq!(friction.identifiability, Identifiability::Unseparated(DesignGap::OneLoad, vec![Unknown::Cohesion]));
+    assert_eq!(cohesion.identifiability, Identifiability::Unseparated(DesignGap::OneLoad, vec![Unknown::FRICTION_ANGLE]));
+    assert_eq!(friction.identifiability, Identifiability::Unseparated(DesignGap::OneLoad, vec![Unknown::COHESION]));
     let [lower, upper] = cohesion.interval.expect("an interval");
     assert!(!(lower..=upper).contains(&600.0), "or else this is no test of it: {found:?}");
 }
@@ -66,7 +66,7 @@ fn one_slip_does_not_show_a_wrong_shear_modulus() {
     let found = line(&setup, &under_loads(&setup, &[30.0, 60.0, 90.0, 120.0], &[0.3]));
     assert_eq!(found.gaps, [DesignGap::OneSlip]);
     for estimate in &found.estimates {
-        let expected = Identifiability::Unseparated(DesignGap::OneSlip, vec![Unknown::ShearModulus]);
+        let expected = Identifiability::Unseparated(DesignGap::OneSlip, vec![Unknown::SHEAR_MODULUS]);
         assert_eq!(estimate.identifiability, expected);
     }
 }

@@ -86,7 +86,7 @@ fn the_slip_gain_of_the_exponent_on_hit_lss1() {
     for (lugs, rows, base, gain) in [(0.0, DING_SMOOTH, 0.84, 0.66), (0.01, DING_LUGS, 0.78, 0.99)] {
         let setup = ding(lugs);
         let only_load = Observations { longitudinal: None, torque: None, ..ding_rows(&rows) };
-        let found = fitted(&setup, &only_load, &[(Unknown::BaseExponent, 1.1), (Unknown::SlipGain, 0.3)]);
+        let found = fitted(&setup, &only_load, &[(Unknown::BASE_EXPONENT, 1.1), (Unknown::SLIP_GAIN, 0.3)]);
         assert!(found.converged() && found.is_identifiable() == (lugs == 0.0), "{found:#?}");
         let [n0, n1] = [0, 1].map(|i| &found.estimates[i]);
         assert!((n0.value - base).abs() < 0.08, "{n0:?}");
@@ -103,11 +103,11 @@ fn a_test_under_one_load_does_not_give_the_soil_away() {
         let exponent = setup.soil.pressure_sinkage.expect("a law").exponent();
         setup.soil.pressure_sinkage = Some(PressureSinkage::Direct(Direct { k_s: 2.5e6, exponent }));
         let starts = [
-            (Unknown::FrictionAngle, 0.5568),
-            (Unknown::ShearModulus, 0.011),
-            (Unknown::SinkageModulus, 2.5e6),
-            (Unknown::BaseExponent, 1.1),
-            (Unknown::SlipGain, 0.3),
+            (Unknown::FRICTION_ANGLE, 0.5568),
+            (Unknown::SHEAR_MODULUS, 0.011),
+            (Unknown::SINKAGE_MODULUS, 2.5e6),
+            (Unknown::BASE_EXPONENT, 1.1),
+            (Unknown::SLIP_GAIN, 0.3),
         ];
         let found = fitted(&setup, &ding_rows(&rows), &starts);
         assert!(found.converged() && !found.is_identifiable());
@@ -145,7 +145,7 @@ fn a_few_means_of_a_small_wheel_leave_the_soil_open() {
         normal: column(PAVLOV.iter().map(|row| row[3]).collect()),
         torque: None,
     };
-    let starts = [(Unknown::FrictionAngle, 0.5), (Unknown::SinkageModulus, 1e6), (Unknown::SlipGain, 0.0)];
+    let starts = [(Unknown::FRICTION_ANGLE, 0.5), (Unknown::SINKAGE_MODULUS, 1e6), (Unknown::SLIP_GAIN, 0.0)];
     let found = fitted(&setup, &observations, &starts);
     assert!(found.converged() && !found.is_identifiable());
     assert_eq!(found.estimates[1].identifiability, Identifiability::Uncertain);

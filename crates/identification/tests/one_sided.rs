@@ -57,7 +57,7 @@ fn claims(method: Method, modulus: f64, runs: u64) -> (u32, u32, u32) {
     truth.soil.shear = Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus }));
     let design: Vec<(f64, f64)> = programme(24).into_iter().map(|(slip, sinkage)| (0.4 + (slip - 0.03) / 1.5, sinkage)).collect();
     let clean = measured(&truth, &design);
-    let unknowns = sought(&truth, &[(Unknown::FrictionAngle, 0.4), (Unknown::ShearModulus, 0.012)]);
+    let unknowns = sought(&truth, &[(Unknown::FRICTION_ANGLE, 0.4), (Unknown::SHEAR_MODULUS, 0.012)]);
     let (mut determined, mut missed, mut friction) = (0, 0, 0);
     for seed in 0..runs {
         let mut noise = Noise::seeded(seed + 5000);

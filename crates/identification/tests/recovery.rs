@@ -39,12 +39,12 @@ fn the_peaks_place_and_the_slip_gain() {
     for method in METHODS {
         let truth = truth(method, SinkageSource::Measured);
         let starts = [
-            (Unknown::FrictionAngle, 0.4),
-            (Unknown::SinkageModulus, 3e5),
-            (Unknown::BaseExponent, 1.1),
-            (Unknown::SlipGain, 0.0),
-            (Unknown::PeakIntercept, 0.35),
-            (Unknown::PeakSlipGain, 0.0),
+            (Unknown::FRICTION_ANGLE, 0.4),
+            (Unknown::SINKAGE_MODULUS, 3e5),
+            (Unknown::BASE_EXPONENT, 1.1),
+            (Unknown::SLIP_GAIN, 0.0),
+            (Unknown::PEAK_INTERCEPT, 0.35),
+            (Unknown::PEAK_SLIP_GAIN, 0.0),
         ];
         // The peak may leave the contact on the way, where the model has no answer: one start need not be enough.
         let starts_tried = if method == Method::EXPLICIT { 8 } else { 1 };
@@ -59,12 +59,12 @@ fn the_peaks_place_and_the_slip_gain() {
 fn a_search_that_the_model_stops_has_not_converged() {
     let truth = truth(Method::EXPLICIT, SinkageSource::Measured);
     let starts = [
-        (Unknown::FrictionAngle, 0.4),
-        (Unknown::SinkageModulus, 3e5),
-        (Unknown::BaseExponent, 1.1),
-        (Unknown::SlipGain, 0.0),
-        (Unknown::PeakIntercept, 0.35),
-        (Unknown::PeakSlipGain, 0.0),
+        (Unknown::FRICTION_ANGLE, 0.4),
+        (Unknown::SINKAGE_MODULUS, 3e5),
+        (Unknown::BASE_EXPONENT, 1.1),
+        (Unknown::SLIP_GAIN, 0.0),
+        (Unknown::PEAK_INTERCEPT, 0.35),
+        (Unknown::PEAK_SLIP_GAIN, 0.0),
     ];
     let found = fitted(&truth, &measured(&truth, &programme(60)), &sought(&truth, &starts));
     assert_eq!(found.stop, StopReason::ModelRefuses, "{found:#?}");
@@ -80,7 +80,7 @@ fn the_constants_of_the_explicit_method() {
     };
     let truth = truth(method, SinkageSource::Measured);
     let starts =
-        [(Unknown::LambdaA, 0.0), (Unknown::LambdaB, 0.0), (Unknown::FrictionAngle, 0.45), (Unknown::SinkageModulus, 5e5)];
+        [(Unknown::LAMBDA_A, 0.0), (Unknown::LAMBDA_B, 0.0), (Unknown::FRICTION_ANGLE, 0.45), (Unknown::SINKAGE_MODULUS, 5e5)];
     assert_recovered(&fitted(&truth, &measured(&truth, &programme(40)), &sought(&truth, &starts)), &truth);
 }
 
@@ -99,10 +99,10 @@ fn four_parameters_under_measured_loads() {
             longitudinal: column(points.iter().map(|point| point.forces.longitudinal).collect()),
         };
         let starts = [
-            (Unknown::FrictionAngle, 0.4),
-            (Unknown::ShearModulus, 0.03),
-            (Unknown::SinkageModulus, 2e6),
-            (Unknown::BaseExponent, 1.1),
+            (Unknown::FRICTION_ANGLE, 0.4),
+            (Unknown::SHEAR_MODULUS, 0.03),
+            (Unknown::SINKAGE_MODULUS, 2e6),
+            (Unknown::BASE_EXPONENT, 1.1),
         ];
         assert_recovered(&fitted(&truth, &observations, &sought(&truth, &starts)), &truth);
         let unmeasured = Observations { sinkage: None, ..observations };
@@ -124,7 +124,7 @@ fn the_static_sinkage() {
         torque: column(points.iter().map(|point| point.forces.torque).collect()),
         longitudinal: None,
     };
-    let starts = [(Unknown::StaticSinkage, 0.005), (Unknown::SinkageModulus, 2e6), (Unknown::FrictionAngle, 0.4)];
+    let starts = [(Unknown::STATIC_SINKAGE, 0.005), (Unknown::SINKAGE_MODULUS, 2e6), (Unknown::FRICTION_ANGLE, 0.4)];
     assert_recovered(&fitted(&truth, &observations, &sought(&truth, &starts)), &truth);
 }
 
@@ -135,7 +135,7 @@ fn several_starts_find_what_one_misses_and_are_repeatable() {
     let observations = measured(&truth, &programme(40));
     let far: Vec<Sought> = five(&truth)
         .into_iter()
-        .map(|one| Sought { start: if one.unknown == Unknown::ShearModulus { 0.9 } else { one.start }, ..one })
+        .map(|one| Sought { start: if one.unknown == Unknown::SHEAR_MODULUS { 0.9 } else { one.start }, ..one })
         .collect();
     let options = FitOptions { starts: 6, ..FitOptions::default() };
     let found = fit(&truth, &observations, &far, &options).expect("a fit");

@@ -4,11 +4,12 @@ use std::borrow::Cow;
 use std::fmt;
 
 use utoipa::openapi::extensions::Extensions;
+use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, SchemaType, Type};
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::{Figures, Scope};
-use crate::field::{Kind, wrong_type};
+use crate::field::{Kind, parameter, wrong_type};
 use crate::node::Node;
 use crate::reader::Defaulting;
 
@@ -16,6 +17,7 @@ use crate::reader::Defaulting;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number {
     unit: &'static str,
+    symbol: &'static str,
     min: f64,
     max: f64,
     /// Whether `max` itself is too large.
@@ -30,7 +32,7 @@ impl Number {
     /// one, such as `N/m^(n+1)`, is told as an annotation, in braces, which counts as 1 there.
     #[must_use]
     pub const fn new(unit: &'static str, min: f64, max: f64) -> Self {
-        Self { unit, min, max, open_above: false, whole: false, share: false, default: None }
+        Self { unit, symbol: "", min, max, open_above: false, whole: false, share: false, default: None }
     }
 
     /// Any number.
@@ -43,6 +45,12 @@ impl Number {
     #[must_use]
     pub const fn open_above(self) -> Self {
         Self { open_above: true, ..self }
+    }
+
+    /// With the symbol that it has in formulas, which the contract sets before its meaning.
+    #[must_use]
+    pub const fn symbol(self, symbol: &'static str) -> Self {
+        Self { symbol, ..self }
     }
 
     /// Only whole numbers.
@@ -141,6 +149,15 @@ impl Number {
         }
     }
 
+    /// The meaning, behind symbol and unit where it has a symbol.
+    pub(crate) fn told<'a>(&self, meaning: &'a str) -> Cow<'a, str> {
+        match (self.symbol, self.unit) {
+            ("", _) => Cow::Borrowed(meaning),
+            (symbol, "1") => Cow::Owned(format!("{symbol} (–): {meaning}")),
+            (symbol, unit) => Cow::Owned(format!("{symbol} ({unit}): {meaning}")),
+        }
+    }
+
     /// The schema, with or without a meaning.
     pub(crate) fn described(&self, meaning: Option<&str>) -> ObjectBuilder {
         let finite = |bound: f64| Some(bound).filter(|bound| bound.is_finite());
@@ -205,7 +222,11 @@ impl Kind for Number {
     }
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
-        self.described(Some(meaning)).into()
+        self.described(Some(&self.told(meaning))).into()
+    }
+
+    fn parameters(&self, name: &str, meaning: &str, _: bool, found: &mut Vec<Parameter>) {
+        found.push(parameter(name, &self.told(meaning), self.schema(meaning)));
     }
 }
 

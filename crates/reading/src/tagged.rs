@@ -75,10 +75,11 @@ impl Tagged {
         let mut found: Vec<Shared> = Vec::new();
         for variant in (self.variants)() {
             for Field { name, meaning, kind, .. } in variant.fields.iter() {
+                let meaning = kind.told(meaning);
                 match found.iter_mut().find(|known| known.name == *name) {
-                    None => found.push(Shared { name, meaning: (*meaning).to_owned(), number: *kind }),
+                    None => found.push(Shared { name, meaning: meaning.into_owned(), number: *kind }),
                     Some(known) => {
-                        if !known.meaning.contains(meaning) {
+                        if !known.meaning.contains(&*meaning) {
                             known.meaning.push_str(&format!(" In `{}`: {meaning}", variant.name));
                         }
                         known.number = known.number.or_as(*kind);

@@ -6,6 +6,7 @@
 use std::fmt;
 
 use crate::fault::{MissingParameters, completed};
+use crate::fittable::Fittable;
 use crate::parameter::{Parameter, Parametrised};
 use crate::sources::Citation;
 
@@ -19,6 +20,8 @@ pub trait Declared: Parametrised {
     const FORMULA: &'static str;
     /// Where it comes from.
     const SOURCES: &'static [Citation];
+    /// Those of its parameters that a fit may find.
+    const FITTABLE: &'static [Fittable] = &[];
 }
 
 /// A law of the family `F`: what is known of it before it has values.
@@ -33,6 +36,8 @@ pub struct Law<F: 'static> {
     pub sources: &'static [Citation],
     /// Its parameters.
     pub parameters: &'static [Parameter],
+    /// Those that a fit may find.
+    pub fittable: &'static [Fittable],
     make: fn(&[Option<f64>]) -> Option<F>,
 }
 
@@ -48,6 +53,7 @@ impl<F> Law<F> {
             formula: L::FORMULA,
             sources: L::SOURCES,
             parameters: L::PARAMETERS,
+            fittable: L::FITTABLE,
             make: |values| L::from_values(values).map(F::from),
         }
     }

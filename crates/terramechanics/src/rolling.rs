@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::error::{Error, SoilLaw};
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::pressure_sinkage::{Plate, PressureCurve};
 use crate::shear::ShearLaw;
@@ -87,6 +88,16 @@ impl WheelOnSoil {
 
     /// What is known of a wheel at work; each operation says which of it is needed.
     pub const PARAMETERS: &'static [Parameter] = &[Self::SINKAGE, Self::STATIC_SINKAGE, Self::NORMAL_LOAD, Self::TORQUE];
+
+    /// The static sinkage in a fit.
+    pub const FITTABLE: &'static [Fittable] = &[Fittable {
+        parameter: Self::STATIC_SINKAGE,
+        bounds: [1e-6, 10.0],
+        usual: [1e-3, 0.05],
+        typical: 0.01,
+        tolerance: Tolerance::Size,
+        step: Step::Logarithmic(&Step::Linear(0.01)),
+    }];
 
     /// The wheel rolling at `slip`.
     ///

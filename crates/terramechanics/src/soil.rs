@@ -7,6 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::error::{Error, SoilLaw};
 use crate::fault::InvalidInput;
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::parameter::{Parameter, Presence, Requirement, present};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::shear::ShearLaw;
@@ -73,7 +74,7 @@ impl Soil {
         name: "lateral_shear_modulus_m",
         symbol: "K_y",
         unit: "m",
-        meaning: "Shear deformation modulus across the direction of travel; that along it unless given.",
+        meaning: "Shear deformation modulus across the direction of travel; unless given, that along it, or the length of another shear law.",
         requirement: Requirement::Positive,
         least: 1e-6,
         most: 10.0,
@@ -85,7 +86,7 @@ impl Soil {
         name: "unit_weight_n_m3",
         symbol: "γ",
         unit: "N/m3",
-        meaning: "Unit weight, for what lies beside and in front of the wheel.",
+        meaning: "Unit weight, for what lies beside and in front of the wheel; that of the pressure–sinkage law unless given.",
         requirement: Requirement::Positive,
         least: 1.0,
         most: 1e6,
@@ -95,6 +96,26 @@ impl Soil {
     /// What a soil has besides the parameters of its laws.
     pub const PARAMETERS: &'static [Parameter] =
         &[Self::COHESION, Self::FRICTION_ANGLE, Self::LATERAL_SHEAR_MODULUS, Self::UNIT_WEIGHT];
+
+    /// Its strength in a fit.
+    pub const FITTABLE: &'static [Fittable] = &[
+        Fittable {
+            parameter: Self::COHESION,
+            bounds: [0.0, 1e6],
+            usual: [0.0, 3e3],
+            typical: 200.0,
+            tolerance: Tolerance::SizeOr(500.0),
+            step: Step::Linear(1e3),
+        },
+        Fittable {
+            parameter: Self::FRICTION_ANGLE,
+            bounds: [0.0, 1.5],
+            usual: [0.3, 0.8],
+            typical: 0.5,
+            tolerance: Tolerance::Fixed(0.2),
+            step: Step::ONE,
+        },
+    ];
 
     /// Checks the parameters.
     ///

@@ -6,7 +6,6 @@ pub(crate) mod shear;
 use terramechanics_identification::Estimate;
 use terramechanics_reading::{Field, Number, Numbers, Reader};
 
-use crate::request::unknowns::name_of;
 use crate::warning::{Finding, Warning};
 
 /// Numbers that a column has at most.
@@ -31,10 +30,10 @@ fn pair<'r>(columns: &'r Reader<'_>, first: &Field<Numbers>, second: &Field<Numb
 /// Warns of parameters that the data leave open or that lie at a bound.
 fn open(estimates: &[Estimate]) -> Vec<Warning> {
     let open = estimates.iter().filter(|estimate| !estimate.identifiability.is_determined());
-    let parameters: Vec<&str> = open.map(|estimate| name_of(estimate.unknown)).collect();
+    let parameters: Vec<&str> = open.map(|estimate| estimate.unknown.name()).collect();
     let open = (!parameters.is_empty()).then_some(Finding::NotIdentifiable { parameters });
     let at_bound = estimates.iter().filter(|estimate| estimate.at_bound.is_some());
-    let at_bound = at_bound.map(|estimate| Finding::AtBound { parameter: name_of(estimate.unknown), end: "lower", bound: 0.0 });
+    let at_bound = at_bound.map(|estimate| Finding::AtBound { parameter: estimate.unknown.name(), end: "lower", bound: 0.0 });
     open.into_iter().chain(at_bound).map(Warning::from).collect()
 }
 

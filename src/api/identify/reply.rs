@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use terramechanics_identification::{Estimate, StopReason};
+use terramechanics_identification::{Estimate, StopReason, Unknown};
 use utoipa::ToSchema;
 
 use super::columns::{IdentifyColumns, columns};
@@ -14,7 +14,6 @@ use crate::reply::soil::{self, Spelled};
 use crate::reply::{EstimateReply, Reply, method_name};
 use crate::request::soil::SoilObject;
 use crate::request::system::ContactObject;
-use crate::request::unknowns::name_of;
 use crate::warning::Warning;
 
 /// What measurements say about the parameters, and what they leave open.
@@ -83,7 +82,8 @@ impl From<FoundParameters> for IdentifyReply {
 
 impl From<FoundFit> for IdentifyReply {
     fn from(FoundFit { setup, observations, fit, warnings }: FoundFit) -> Self {
-        let direction = |direction: &Vec<_>| direction.iter().map(|&(unknown, share)| (name_of(unknown), share)).collect();
+        let direction =
+            |direction: &Vec<(Unknown, f64)>| direction.iter().map(|&(unknown, share)| (unknown.name(), share)).collect();
         Self {
             estimator: "nonlinear",
             method: method_name(&setup.model.method),

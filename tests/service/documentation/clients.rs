@@ -9,13 +9,15 @@ use crate::asking::{post, post_for_csv};
 const TEXT: &str = include_str!("../../../docs/clients.md");
 
 /// Each with the block that shows its request, by language and place among the blocks of that language.
-const CLIENTS: [(&str, &str, usize); 6] = [
+const CLIENTS: [(&str, &str, usize); 8] = [
     (include_str!("../../../clients/curve_pandas.py"), "python", 0),
     (include_str!("../../../clients/forces_requests.py"), "python", 1),
     (include_str!("../../../clients/generated_client.py"), "python", 2),
     (include_str!("../../../clients/curve.m"), "matlab", 0),
     (include_str!("../../../clients/forces.mjs"), "js", 0),
     (include_str!("../../../clients/curve.sh"), "sh", 1),
+    (include_str!("../../../clients/pydantic_models.py"), "python", 3),
+    (include_str!("../../../clients/fetch.mjs"), "js", 1),
 ];
 
 #[test]
@@ -37,6 +39,10 @@ fn the_commands_that_generate_a_client_are_those_of_its_program() {
         (
             CLIENTS[4].0,
             "openapi-typescript http://127.0.0.1:8080/openapi.json --default-non-nullable=false --output terramechanics.d.ts",
+        ),
+        (
+            CLIENTS[6].0,
+            "datamodel-codegen --allow-private-network --url http://127.0.0.1:8080/openapi.json --output terramechanics_models.py",
         ),
     ] {
         assert!(TEXT.contains(&format!("`{command}`")) && program.contains(command), "{command}");

@@ -17,7 +17,7 @@ use crate::student::quantile_95;
 use crate::unknown::Unknown;
 
 /// The unknowns of the line, in the order of its estimates.
-const SOUGHT: [Unknown; 2] = [Unknown::Cohesion, Unknown::FrictionAngle];
+const SOUGHT: [Unknown; 2] = [Unknown::COHESION, Unknown::FRICTION_ANGLE];
 
 /// Residual of the normal equations, relative to their sums, that counts as zero: rounding over ten thousand samples.
 const SOLVED: f64 = 1e-8;
@@ -101,7 +101,7 @@ fn found(setup: &Setup, observations: &Observations, consent: &Consent<'_>) -> R
         predicted.push(Prediction { sinkage: sample.sinkage, longitudinal, normal: sample.load, torque });
     }
     // The shear modulus is taken as known. Samples of one slip could not find it, and they cannot reveal that it is wrong either.
-    let unknowns = [Unknown::ShearModulus, Unknown::Cohesion, Unknown::FrictionAngle];
+    let unknowns = [Unknown::SHEAR_MODULUS, Unknown::COHESION, Unknown::FRICTION_ANGLE];
     let gaps: Vec<_> =
         design::gaps(observations, &[Quantity::Torque], &unknowns, &predicted).into_iter().map(|(gap, _)| gap).collect();
     let correlation = line.covariance / (line.cohesion_variance * line.tan_friction_variance).sqrt();
@@ -235,7 +235,7 @@ fn estimates(line: &StrengthEstimate, setup: &Setup, gaps: &[DesignGap]) -> [Est
         let half = standard_error.and_then(|error| finite(factor * error));
         let at_bound = is_held.then_some(Bound::Lower);
         let identifiability = match gaps.first() {
-            Some(DesignGap::OneSlip) => Identifiability::Unseparated(DesignGap::OneSlip, vec![Unknown::ShearModulus]),
+            Some(DesignGap::OneSlip) => Identifiability::Unseparated(DesignGap::OneSlip, vec![Unknown::SHEAR_MODULUS]),
             Some(&gap) => Identifiability::Unseparated(gap, vec![SOUGHT[1 - i]]),
             None if half.is_none_or(|half| half > unknown.useful_width(value, setup)) => Identifiability::Uncertain,
             None if at_bound.is_some() => Identifiability::AtBound,

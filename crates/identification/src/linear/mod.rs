@@ -30,7 +30,7 @@ pub use fit::{LinearFit, fit_line, fit_line_while};
 pub use running::{RunningStrength, StrengthBound, StrengthEstimate, StrengthTally, linear_strength};
 
 /// Least |E| of a sample that is used: below it the torque says little about the strength.
-const LEAST_MOBILISATION: f64 = 0.05;
+pub const LEAST_MOBILISATION: f64 = 0.05;
 
 /// One sample of a rolling wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]

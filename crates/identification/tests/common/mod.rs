@@ -68,11 +68,11 @@ pub(crate) fn five(setup: &Setup) -> Vec<Sought> {
     sought(
         setup,
         &[
-            (Unknown::Cohesion, 100.0),
-            (Unknown::FrictionAngle, 0.4),
-            (Unknown::ShearModulus, 0.03),
-            (Unknown::SinkageModulus, 2e6),
-            (Unknown::BaseExponent, 1.2),
+            (Unknown::COHESION, 100.0),
+            (Unknown::FRICTION_ANGLE, 0.4),
+            (Unknown::SHEAR_MODULUS, 0.03),
+            (Unknown::SINKAGE_MODULUS, 2e6),
+            (Unknown::BASE_EXPONENT, 1.2),
         ],
     )
 }

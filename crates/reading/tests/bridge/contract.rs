@@ -52,12 +52,14 @@ fn numbers_have_their_units_and_bounds() {
 }
 
 #[test]
-fn a_query_has_a_parameter_for_every_field_that_is_no_list() {
+fn a_query_has_a_parameter_for_every_field_but_lists_of_numbers_and_objects() {
     let mut found = Vec::new();
     BRIDGE.parameters("", &mut found);
     let names: Vec<_> = found.iter().map(|parameter| parameter.name.as_str()).collect();
     let beam = ["beam.law", "beam.width_m", "beam.depth", "beam.wall_m"];
-    assert_eq!(names, [&["span_m"][..], &beam, &["load", "load.from", "load.to", "side", "note"]].concat());
+    assert_eq!(names, [&["span_m"][..], &beam, &["load", "load.from", "load.to", "side", "sides", "note"]].concat());
+    let sides = serde_json::to_value(&found[9]).expect("JSON");
+    assert_eq!((&sides["style"], &sides["explode"], &sides["schema"]["type"]), (&json!("form"), &json!(false), &json!("array")));
     let load = serde_json::to_value(&found[5]).expect("JSON");
     assert_eq!(load["schema"]["oneOf"].as_array().map(Vec::len), Some(2));
     assert_eq!(load["description"], "The load.");

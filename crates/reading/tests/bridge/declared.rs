@@ -93,6 +93,16 @@ fn a_query_is_read_like_a_body() {
     let query =
         Query::parse("span_m=20&beam.law=solid&beam.width_m=0.3&load.from=1&load.to=2").expect("few parameters").into_node();
     assert_eq!(read(&query, &BRIDGE, &Hints::NONE, read_bridge).expect("a bridge").loads, [1.0, 2.0]);
+    let of_sides = |text: &str| {
+        let query = format!("span_m=20&beam.law=solid&beam.width_m=1&load=own&sides={text}");
+        let node = Query::parse(&query).expect("few parameters").into_node();
+        read(&node, &BRIDGE, &Hints::NONE, read_bridge).map(|bridge| bridge.sides)
+    };
+    assert_eq!(of_sides("live,dead"), Ok(vec![Load::Live, Load::Dead]));
+    let faults = of_sides("live,,dead,live").expect_err("faults");
+    assert_eq!(faults.iter().map(|fault| fault.pointer.as_str()).collect::<Vec<_>>(), ["/sides/1", "/sides/3"]);
+    assert_eq!(of_sides("").expect_err("an empty list")[0].pointer, "/sides/0");
+    assert_eq!(of_sides(&"live,".repeat(1000)).expect_err("a long list")[0].detail, "must have from 1 to 4 names");
     let query = Query::parse("span_m=2O&beam=solid&load=own&side=5").expect("few parameters").into_node();
     let faults = read(&query, &BRIDGE, &Hints::NONE, read_bridge).expect_err("faults");
     let said: Vec<_> = faults.iter().map(|fault| fault.detail.as_str()).collect();

@@ -81,7 +81,7 @@ impl Contact {
         name: "c3",
         symbol: "c3",
         unit: "1",
-        meaning: "Ratio of the exit angle to the entry angle; negative where the contact reaches behind the lowest point.",
+        meaning: "Exit angle over the entry angle; negative where the contact reaches behind the lowest point.",
         requirement: Requirement::FromUpTo { min: -1.0, limit: 1.0 },
         least: -1.0,
         most: 0.6,

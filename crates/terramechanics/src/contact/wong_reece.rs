@@ -5,6 +5,7 @@
 //! implementations that agree.
 
 use super::ContactArc;
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, WONG_REECE};
@@ -24,7 +25,7 @@ impl WongReece {
         name: "c1",
         symbol: "c1",
         unit: "1",
-        meaning: "Ratio of the angle of maximum stress to the entry angle without slip.",
+        meaning: "Angle of maximum stress over the entry angle, without slip.",
         requirement: Requirement::Finite,
         least: -1.0,
         most: 2.0,
@@ -36,7 +37,7 @@ impl WongReece {
         name: "c2",
         symbol: "c2",
         unit: "1",
-        meaning: "Gain of that ratio with slip.",
+        meaning: "Gain of the angle of maximum stress with slip, over the entry angle.",
         requirement: Requirement::Finite,
         least: -2.0,
         most: 2.0,
@@ -67,4 +68,22 @@ impl Declared for WongReece {
     const DOC: &'static str = "The peak moves with slip, as Wong & Reece measured it.";
     const FORMULA: &'static str = "θm = (c1 + c2 s) θ1";
     const SOURCES: &'static [Citation] = &[WONG_REECE.cited()];
+    const FITTABLE: &'static [Fittable] = &[
+        Fittable {
+            parameter: Self::C1,
+            bounds: [-0.5, 1.5],
+            usual: [0.2, 0.6],
+            typical: 0.4,
+            tolerance: Tolerance::Fixed(0.2),
+            step: Step::ONE,
+        },
+        Fittable {
+            parameter: Self::C2,
+            bounds: [-2.0, 2.0],
+            usual: [-0.2, 0.4],
+            typical: 0.1,
+            tolerance: Tolerance::Fixed(0.4),
+            step: Step::ONE,
+        },
+    ];
 }

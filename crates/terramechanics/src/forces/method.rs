@@ -1,5 +1,6 @@
 //! By which method are the forces found, and with which options?
 
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::lateral::SideSlip;
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::wheel::Wheel;
@@ -38,6 +39,19 @@ impl Lambda {
     /// λ_B.
     pub const B: Parameter =
         Parameter { name: "lambda_b", symbol: "λ_B", meaning: "λ_B of B ≈ (1 + λ_B) z/(2r).", ..Self::A };
+
+    /// λ_A and λ_B in a fit.
+    pub const FITTABLE: &'static [Fittable] = {
+        const A: Fittable = Fittable {
+            parameter: Lambda::A,
+            bounds: [-1.0, 1.0],
+            usual: [-0.3, 0.3],
+            typical: 0.0,
+            tolerance: Tolerance::Fixed(0.3),
+            step: Step::ONE,
+        };
+        &[A, Fittable { parameter: Self::B, ..A }]
+    };
 }
 
 /// The radius at which the normal stress acts (erratum 3).

@@ -11,6 +11,7 @@
 
 use super::{Plate, SinkageExponent};
 use crate::caution::{Caution, CautionKind, TestedRange};
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{BEKKER, Citation, LETTER};
@@ -88,6 +89,26 @@ impl Bekker {
         presence: Presence::Required,
     };
 
+    /// k_c in a fit. An interval that holds 0 leaves its sign open, unless its effect is slight either way.
+    pub const FITTABLE_K_C: Fittable = Fittable {
+        parameter: Self::K_C,
+        bounds: [-1e8, 1e8],
+        usual: [-1e4, 1e5],
+        typical: 0.0,
+        tolerance: Tolerance::SizeOrShare { share: 0.01, of: Self::K_PHI.name },
+        step: Step::OfStart(1e4),
+    };
+
+    /// k_φ in a fit.
+    pub const FITTABLE_K_PHI: Fittable = Fittable {
+        parameter: Self::K_PHI,
+        bounds: [1.0, 1e11],
+        usual: [3e4, 3e7],
+        typical: 1e6,
+        tolerance: Tolerance::Size,
+        step: Step::Logarithmic(&Step::OfStart(1e4)),
+    };
+
     pub(super) fn exponent(&self) -> SinkageExponent {
         self.exponent
     }
@@ -122,4 +143,6 @@ impl Declared for Bekker {
     const DOC: &'static str = "Bekker's law: a cohesive modulus over the width and a frictional modulus.";
     const FORMULA: &'static str = "K_s = k_c/b + k_phi";
     const SOURCES: &'static [Citation] = &[BEKKER.cited(), LETTER.at("caption of Fig. 1")];
+    const FITTABLE: &'static [Fittable] =
+        &[Self::FITTABLE_K_C, Self::FITTABLE_K_PHI, SinkageExponent::FITTABLE_BASE, SinkageExponent::FITTABLE_SLIP_GAIN];
 }

@@ -8,6 +8,7 @@
 
 use super::{Plate, SinkageExponent};
 use crate::caution::Caution;
+use crate::fittable::Fittable;
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, MEIRION_GRIFFITH_SPENKO};
@@ -81,4 +82,5 @@ impl Declared for Diameter {
         "The law of Meirion-Griffith & Spenko, in which the wheel's diameter corrects Bekker's for small wheels.";
     const FORMULA: &'static str = "K_s = k (2r)^m";
     const SOURCES: &'static [Citation] = &[MEIRION_GRIFFITH_SPENKO.cited()];
+    const FITTABLE: &'static [Fittable] = &[SinkageExponent::FITTABLE_BASE, SinkageExponent::FITTABLE_SLIP_GAIN];
 }

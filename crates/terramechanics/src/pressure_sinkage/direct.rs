@@ -4,6 +4,7 @@
 
 use super::{Plate, SinkageExponent};
 use crate::caution::Caution;
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, LETTER};
@@ -22,7 +23,7 @@ impl Direct {
     pub const K_S: Parameter = Parameter {
         name: "k_s",
         symbol: "K_s",
-        unit: "Pa/m^(N)",
+        unit: "Pa/m^N",
         meaning: "Sinkage modulus.",
         requirement: Requirement::Finite,
         least: 1e-6,
@@ -62,4 +63,16 @@ impl Declared for Direct {
     const DOC: &'static str = "A sinkage modulus as it was measured.";
     const FORMULA: &'static str = "K_s = k_s";
     const SOURCES: &'static [Citation] = &[LETTER.at("Eq. 1")];
+    const FITTABLE: &'static [Fittable] = &[
+        Fittable {
+            parameter: Self::K_S,
+            bounds: [1.0, 1e13],
+            usual: [3e4, 3e7],
+            typical: 1e6,
+            tolerance: Tolerance::Size,
+            step: Step::Logarithmic(&Step::OfStart(1.0)),
+        },
+        SinkageExponent::FITTABLE_BASE,
+        SinkageExponent::FITTABLE_SLIP_GAIN,
+    ];
 }

@@ -1,6 +1,7 @@
 //! How fast does pressure grow with depth, and how does slip change that? N = n0 + n1 s (letter, below Eq. 1; Ding et al. 2010,
 //! source 5), with a gain of its own at negative slip where one was measured (Pavlov & Johnson 2024, source 25).
 
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::slip::Slip;
 
@@ -50,6 +51,26 @@ impl SinkageExponent {
         least: -10.0,
         most: 10.0,
         presence: Presence::Optional,
+    };
+
+    /// n0 in a fit.
+    pub const FITTABLE_BASE: Fittable = Fittable {
+        parameter: Self::BASE,
+        bounds: [0.05, 5.0],
+        usual: [0.5, 1.5],
+        typical: 1.0,
+        tolerance: Tolerance::Fixed(0.3),
+        step: Step::ONE,
+    };
+
+    /// n1 in a fit.
+    pub const FITTABLE_SLIP_GAIN: Fittable = Fittable {
+        parameter: Self::SLIP_GAIN,
+        bounds: [-3.0, 10.0],
+        usual: [-0.1, 1.0],
+        typical: 0.0,
+        tolerance: Tolerance::Fixed(0.5),
+        step: Step::ONE,
     };
 
     /// N at `slip` (–).

@@ -6,8 +6,9 @@
 //! Departures: the exponent may grow with slip, N for n (letter, Eq. 1), also in b^N. The paper was not read; the formula was
 //! seen in two public implementations that agree.
 
-use super::{Plate, SinkageExponent};
+use super::{Bekker, Plate, SinkageExponent};
 use crate::caution::Caution;
+use crate::fittable::Fittable;
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, REECE};
@@ -102,4 +103,10 @@ impl Declared for Reece {
     const DOC: &'static str = "Reece's law: Bekker's in moduli without dimension.";
     const FORMULA: &'static str = "K_s = (c k_c' + γ b k_phi')/b^N";
     const SOURCES: &'static [Citation] = &[REECE.cited()];
+    const FITTABLE: &'static [Fittable] = &[
+        Fittable { parameter: Self::K_C, ..Bekker::FITTABLE_K_C },
+        Fittable { parameter: Self::K_PHI, ..Bekker::FITTABLE_K_PHI },
+        SinkageExponent::FITTABLE_BASE,
+        SinkageExponent::FITTABLE_SLIP_GAIN,
+    ];
 }

@@ -5,6 +5,7 @@
 //! by an undefined V and, braking, would grow without bound; here r/K and an odd E (errata 2 and 11). The paper was not read.
 
 use super::saturation;
+use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, JANOSI_HANAMOTO, LETTER};
@@ -22,7 +23,7 @@ impl JanosiHanamoto {
         name: "shear_modulus_m",
         symbol: "K",
         unit: "m",
-        meaning: "Shear deformation modulus.",
+        meaning: "Shear deformation modulus; Wong's laws do not need it.",
         requirement: Requirement::Positive,
         least: 1e-6,
         most: 10.0,
@@ -62,4 +63,12 @@ impl Declared for JanosiHanamoto {
     const DOC: &'static str = "Janosi–Hanamoto's law: strength builds up to its full value and stays there.";
     const FORMULA: &'static str = "E = 1 − exp(−j/K)";
     const SOURCES: &'static [Citation] = &[JANOSI_HANAMOTO.cited(), LETTER.at("Eq. 6")];
+    const FITTABLE: &'static [Fittable] = &[Fittable {
+        parameter: Self::MODULUS,
+        bounds: [1e-5, 1.0],
+        usual: [3e-3, 0.05],
+        typical: 0.015,
+        tolerance: Tolerance::Size,
+        step: Step::Logarithmic(&Step::Linear(0.01)),
+    }];
 }

@@ -5,7 +5,6 @@ use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Ob
 use crate::api::identify::request::{LinearCase, fit_fault, refusal_pointer};
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::request::unknowns::name_of;
 use crate::warning::{Finding, Warning, system_warnings};
 use terramechanics_reading::FieldFault;
 
@@ -53,14 +52,14 @@ fn warnings(found: &LinearFit, bias: Option<[f64; 2]>) -> Vec<Warning> {
         findings.push(Finding::LineNotSolved {});
     }
     if !found.is_identifiable() {
-        findings.push(Finding::NotIdentifiable { parameters: found.estimates.iter().map(|of| name_of(of.unknown)).collect() });
+        findings.push(Finding::NotIdentifiable { parameters: found.estimates.iter().map(|of| of.unknown.name()).collect() });
     }
     findings.extend(found.gaps.iter().map(|&gap| match gap {
         DesignGap::OneSlip => Finding::SingleSlipOfLine {},
-        _ => Finding::gap(gap, [Unknown::Cohesion, Unknown::FrictionAngle].map(name_of).to_vec()),
+        _ => Finding::gap(gap, [Unknown::COHESION, Unknown::FRICTION_ANGLE].map(Unknown::name).to_vec()),
     }));
     for (i, Estimate { unknown, interval, at_bound, .. }) in found.estimates.iter().enumerate() {
-        let parameter = name_of(*unknown);
+        let parameter = unknown.name();
         if at_bound.is_some() {
             findings.push(Finding::AtBound { parameter, end: "lower", bound: 0.0 });
         }

@@ -7,7 +7,6 @@ use terramechanics_identification::{Bound, Fit, FitOptions, Observations, Setup,
 use crate::api::identify::request::{FitCase, column_name, fit_fault};
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::request::unknowns::name_of;
 use crate::warning::{Finding, Warning, implausible, system_warnings};
 
 /// What a search found.
@@ -40,15 +39,15 @@ fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
     }
     if !found.is_identifiable() {
         let open = found.estimates.iter().filter(|estimate| !estimate.identifiability.is_determined());
-        findings.push(Finding::NotIdentifiable { parameters: open.map(|estimate| name_of(estimate.unknown)).collect() });
+        findings.push(Finding::NotIdentifiable { parameters: open.map(|estimate| estimate.unknown.name()).collect() });
     }
     for (gap, together) in &found.gaps {
-        findings.push(Finding::gap(*gap, together.iter().map(|&unknown| name_of(unknown)).collect()));
+        findings.push(Finding::gap(*gap, together.iter().map(|&unknown| unknown.name()).collect()));
     }
     for estimate in &found.estimates {
         if let Some(bound) = estimate.at_bound {
             let end = if bound == Bound::Lower { "lower" } else { "upper" };
-            findings.push(Finding::AtBound { parameter: name_of(estimate.unknown), end, bound: estimate.value });
+            findings.push(Finding::AtBound { parameter: estimate.unknown.name(), end, bound: estimate.value });
         }
     }
     for column in found.columns.iter().filter(|column| column.is_missed()) {

@@ -18,7 +18,7 @@ pub(super) fn check(object: &Reader<'_>, fitted: &[Unknown], case: &LinearCase) 
         place.fault(detail);
         is_sound = false;
     };
-    if !(fitted.len() == 2 && fitted.contains(&Unknown::Cohesion) && fitted.contains(&Unknown::FrictionAngle)) {
+    if !(fitted.len() == 2 && fitted.contains(&Unknown::COHESION) && fitted.contains(&Unknown::FRICTION_ANGLE)) {
         report(object.place_of(&FIT), "the linear estimator finds `cohesion_pa` and `friction_angle_rad`, both and no other");
     }
     let data = object.place_of(&DATA);

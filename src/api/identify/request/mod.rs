@@ -12,7 +12,8 @@ use terramechanics_reading::{Field, FieldFault, Number, Object, Reader, Tagged, 
 
 use self::data::{DATA, STANDARD_DEVIATION};
 use self::setup::Found;
-use crate::request::unknowns::{self, BOUNDS_FIELD, By, NAMES, START, name_of};
+use crate::request::fitted_law;
+use crate::request::unknowns::{self, BOUNDS_FIELD, By, NAMES, START};
 pub(crate) use data::column_name;
 
 use crate::request::method::{LAMBDAS, METHOD, STRESSES};
@@ -29,7 +30,7 @@ const PARTIAL_SOIL: Field<&Object> = Field {
 const SLIP_SINKAGE_OF_FIT: Field<&Tagged> =
     Field { meaning: "Slip–sinkage law where static_sinkage_m is fitted; lyasko unless given.", ..SLIP_SINKAGE };
 const FIT: Field<Words<Unknown>> =
-    Field::required("fit", "The parameters to find.", Words { word: NAMES, most: 13, all_unless_given: false });
+    Field::required("fit", "The parameters to find.", Words { word: NAMES, most: NAMES.words.len(), all_unless_given: false });
 const STARTS: Field<Number> = Field::new(
     "starts",
     "Number of starts to try; further ones are spread over the values of known soils.",
@@ -108,7 +109,7 @@ impl Request for IdentifyCase {
         let count = object.or_default(&STARTS);
         let loss = object.or_default(&LOSS);
         // Where `fit` itself is wrong, nothing of the soil is asked for that may have been meant.
-        let anything: Vec<Unknown> = Unknown::ALL.into_iter().filter(|&unknown| unknown != Unknown::StaticSinkage).collect();
+        let anything: Vec<Unknown> = Unknown::ALL.into_iter().filter(|&unknown| unknown != Unknown::STATIC_SINKAGE).collect();
         let data = object.required(&DATA);
         let sought = setup::Sought {
             fitted: fitted.as_deref().unwrap_or(&anything),
@@ -149,8 +150,8 @@ fn sought_of(
     let Some(known) = unknown.value(setup) else {
         object.place_of(&FIT).item(i).fault(format_args!(
             "the law, the contact or the method of the request has no `{}`{}",
-            name_of(unknown),
-            home_of(unknown)
+            unknown.name(),
+            fitted_law::home_of(unknown, setup)
         ));
         return None;
     };
@@ -161,7 +162,7 @@ fn sought_of(
     let widened = Range::new(usual.lower.min(start), usual.upper.max(start));
     let bounds = unknowns::of(bounds, unknown).unwrap_or(widened);
     if given.is_some() && !bounds.contains(start) {
-        object.place().field(START.name).field(name_of(unknown)).fault("lies outside its bounds");
+        object.place().field(START.name).field(unknown.name()).fault("lies outside its bounds");
         return None;
     }
     // What is known of the soil is only a hint; where the bounds exclude it the search begins at the nearer one.
@@ -194,18 +195,6 @@ fn check_columns(object: &Reader<'_>, data: &Reader<'_>, setup: &Setup, observat
         return lacking.is_empty().then_some(());
     }
     Some(())
-}
-
-/// Where a parameter belongs, for a message.
-fn home_of(unknown: Unknown) -> &'static str {
-    match unknown {
-        Unknown::SinkageModulus => ": fit `k_c` and `k_phi`, or choose the law `direct`",
-        Unknown::CohesiveModulus | Unknown::FrictionalModulus => ": fit `k_s`, or choose the law `bekker` or `reece`",
-        Unknown::PeakIntercept | Unknown::PeakSlipGain => "; the contact rule `wong_reece` has it",
-        Unknown::LambdaA | Unknown::LambdaB => "; the method `explicit` with a number for it has it",
-        Unknown::ShearModulus => "; the shear law `janosi_hanamoto` has it",
-        _ => "",
-    }
 }
 
 /// What the model or the fit refuses of a request whose fields are each right.

@@ -6,11 +6,12 @@ use terramechanics_reading::Reader;
 
 use super::data::{DATA, NORMAL, SINKAGE};
 use super::{PARTIAL_SOIL, SLIP_SINKAGE_OF_FIT};
+use crate::request::fitted_law;
 use crate::request::method::{self, NORMAL_STRESS_RADIUS, PEAK_SINKAGE};
 use crate::request::sinkage;
 use crate::request::soil::{self, FoundSoil, LawOrigin, Needs};
 use crate::request::system::{self, CONTACT};
-use crate::request::unknowns::{self, By, name_of};
+use crate::request::unknowns::{self, By};
 
 /// What is sought, and where from.
 pub(super) struct Sought<'a> {
@@ -40,7 +41,7 @@ pub(super) struct Found {
 /// The forward model, with starts for what is fitted and known nowhere.
 pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader<'_>>) -> Found {
     let start_of = |name: &str| {
-        let unknown = sought.fitted.iter().copied().find(|&unknown| name_of(unknown) == name)?;
+        let unknown = sought.fitted.iter().copied().find(|&unknown| unknown.name() == name)?;
         Some(sought.start(unknown))
     };
     let needs = Needs { pressure_sinkage: sought.needs_law, fitted: &start_of, ..Needs::ALL };
@@ -79,7 +80,7 @@ fn read_soil(object: &Reader<'_>, sought: &Sought<'_>, needs: Needs<'_>) -> Opti
 /// The contact; where c1 or c2 is fitted and nothing was said of the contact, it follows Wong & Reece's rule.
 fn contact_params(object: &Reader<'_>, contact: &Contact, sought: &Sought<'_>) -> ContactParams {
     let params = *contact.params();
-    let (c1, c2) = (Unknown::PeakIntercept, Unknown::PeakSlipGain);
+    let (c1, c2) = (Unknown::PEAK_INTERCEPT, Unknown::PEAK_SLIP_GAIN);
     match params.rule {
         PeakRule::Midpoint | PeakRule::HalfSinkage if (sought.has(c1) || sought.has(c2)) && !object.has(&CONTACT) => {
             let c2 = if sought.has(c2) { sought.start(c2) } else { 0.0 };
@@ -92,7 +93,7 @@ fn contact_params(object: &Reader<'_>, contact: &Contact, sought: &Sought<'_>) -
 
 /// Where the sinkage of a sample comes from.
 fn sinkage_source(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader<'_>>) -> Option<SinkageSource> {
-    let is_static = sought.has(Unknown::StaticSinkage);
+    let is_static = sought.has(Unknown::STATIC_SINKAGE);
     let law: Option<SlipSinkage> = sinkage::law(object);
     if object.has(&SLIP_SINKAGE_OF_FIT) && !is_static {
         object.place_of(&SLIP_SINKAGE_OF_FIT).fault("needs `static_sinkage_m` among the parameters of `fit`");
@@ -100,7 +101,7 @@ fn sinkage_source(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader
     }
     let data = data?;
     if is_static {
-        Some(SinkageSource::Static { static_sinkage: sought.start(Unknown::StaticSinkage), law: law? })
+        Some(SinkageSource::Static { static_sinkage: sought.start(Unknown::STATIC_SINKAGE), law: law? })
     } else if data.has(&SINKAGE) {
         Some(SinkageSource::Measured)
     } else if data.has(&NORMAL) {
@@ -112,15 +113,10 @@ fn sinkage_source(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader
 }
 
 /// What a soil has besides the parameters.
-fn lacking(sought: &Sought<'_>) -> Vec<&'static str> {
+fn lacking(sought: &Sought<'_>) -> Vec<String> {
     use Unknown as U;
-    let alone = [U::Cohesion, U::FrictionAngle, U::ShearModulus, U::BaseExponent];
-    let mut lacking: Vec<&'static str> = alone.into_iter().filter(|&unknown| !sought.has(unknown)).map(name_of).collect();
-    match [U::SinkageModulus, U::CohesiveModulus, U::FrictionalModulus].map(|unknown| sought.has(unknown)) {
-        [true, ..] | [_, true, true] => {}
-        [false, true, false] => lacking.push("k_phi"),
-        [false, false, true] => lacking.push("k_c"),
-        [false, false, false] => lacking.push("k_s (or k_c and k_phi)"),
-    }
-    lacking
+    let alone = [U::COHESION, U::FRICTION_ANGLE, U::SHEAR_MODULUS, U::BASE_EXPONENT];
+    let alone = alone.into_iter().filter(|&unknown| !sought.has(unknown)).map(|unknown| unknown.name().to_owned());
+    let is_fitted = |name: &str| sought.fitted.iter().any(|unknown| unknown.name() == name);
+    alone.chain(fitted_law::lacking(is_fitted)).collect()
 }
