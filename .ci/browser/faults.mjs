@@ -24,7 +24,11 @@ function assertConverted(shown, { detail: sentence, unit, perSi }) {
   assert.equal(words(plain), words(detail));
 }
 
-/** `told` is in the fault as it stands; `converted` is the service's sentence, with the unit it is to be shown in. */
+/**
+ * `told` is in the fault as it stands; `converted` is the service's sentence, with the unit it is to be shown in.
+ * @param {import("playwright-core").Page} page
+ * @param {{ name: string, pointer: string, told?: string, converted?: { detail: string, unit: string, perSi: number } }} expected
+ */
 async function assertFault(page, { name, pointer, told, converted }) {
   await faulty(page);
   const fault = page.locator(`[data-fault="${pointer}"]`);

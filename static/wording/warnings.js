@@ -74,7 +74,7 @@ function rangeFinding(warning) {
 /** @param {Shown} said */
 function demandIn({ lower, upper }) {
   if (lower !== null && upper !== null) return `has to be between ${lower} and ${upper}`;
-  return upper !== null ? `may be ${upper} at most` : `has to be above ${lower}`;
+  return upper !== null ? `may be at most ${upper}` : `has to be above ${lower}`;
 }
 
 /**
@@ -242,6 +242,9 @@ function fitText(warning, law) {
   if (code === "implausible_estimate" && PARAMETERS[name] && value !== undefined) return implausibleText(warning, law);
   if (code === "not_identifiable" && names.length) {
     return `the data do not determine ${namesOf(names)}. Hold ${names.length > 1 ? "one of them" : "it"} fixed or measure under other conditions; the table says why.`;
+  }
+  if (code === "law_replaced") {
+    return `the ${nameOf("k_s")} is fitted, so the direct law replaces that of the preset and keeps its exponents. Tick ${namesOf(["k_c", "k_phi"])} instead to keep Bekker's law.`;
   }
   return `${fitFinding(warning, law) ?? rangeFinding(warning)} ${warning.advice}`;
 }
