@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use terramechanics::{
-    Contact, ContactParams, JanosiHanamoto, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw, Soil, WheelParams,
+    AngleRatio, Contact, ContactParams, ExitRule, JanosiHanamoto, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw,
+    Soil, WheelParams,
 };
 use utoipa::ToSchema;
 
@@ -170,7 +171,8 @@ impl SoilRecord {
         let record = self.contact.as_ref()?;
         let number = |name: &str| record.values.get(name).map(|value| value.value);
         let rule = PeakRule::named(&record.rule)?.from_named(number).ok()?;
-        Contact::new(ContactParams { rule, exit_ratio: number(Contact::EXIT_RATIO.name).or(Contact::EXIT_RATIO.default())? }).ok()
+        let exit = ExitRule::AngleRatio(AngleRatio { c3: number(AngleRatio::C3.name).or(AngleRatio::C3.default())? });
+        Contact::new(ContactParams { rule, exit, ..ContactParams::MIDPOINT }).ok()
     }
 
     /// Required parameters of the pressure–sinkage law that are not known.

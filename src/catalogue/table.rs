@@ -1,6 +1,6 @@
 //! The catalogue as tables: one row per entry, one column per value, an empty cell for what is not known.
 
-use terramechanics::{Contact, Law, PeakRule, PressureSinkage, ShearLaw};
+use terramechanics::{AngleRatio, Law, PeakRule, PressureSinkage, ShearLaw};
 
 use super::record::{SOIL_FIELDS, SoilRecord, Values, WHEEL_FIELDS, WheelRecord};
 use crate::quantity::{Cell, Digits, line};
@@ -36,7 +36,7 @@ pub(crate) fn wheels_table<'a>(records: impl Iterator<Item = &'a WheelRecord>) -
 pub(crate) fn soils_table<'a>(records: impl Iterator<Item = &'a SoilRecord>) -> Vec<u8> {
     let (of_laws, of_shear, of_rules) =
         (parameters(PressureSinkage::LAWS), parameters(ShearLaw::LAWS), parameters(PeakRule::LAWS));
-    let of_rules = [&[Contact::EXIT_RATIO.name], &of_rules[..]].concat();
+    let of_rules = [&[AngleRatio::C3.name], &of_rules[..]].concat();
     let header = [&["id", "name", "kind", "grade"][..], &SOIL_FIELDS, &["law"], &of_laws, &["shear_law"], &of_shear];
     let header = header.into_iter().flatten().chain(&["rule"]).chain(&of_rules).copied();
     let row = |record: &'a SoilRecord| {

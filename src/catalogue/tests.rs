@@ -143,6 +143,7 @@ fn every_entry_computes_or_says_what_it_lacks() {
             pressure_sinkage: Some(law),
             unit_weight: record.number("unit_weight_n_m3"),
             lateral_shear_modulus: record.number("lateral_shear_modulus_m"),
+            ..SoilParams::BARE
         })
         .expect("a soil");
         let contact = record.contact().unwrap_or(terramechanics::Contact::MIDPOINT);

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use terramechanics::{Contact, Law, PeakRule, PressureSinkage, ShearLaw};
+use terramechanics::{AngleRatio, Law, PeakRule, PressureSinkage, ShearLaw};
 use utoipa::ToSchema;
 
 use super::record::{Grade, SOIL_FIELDS, SoilRecord, Value, Values, WHEEL_FIELDS, WheelRecord};
@@ -183,7 +183,7 @@ impl SoilRecord {
                 rule: Some(&contact.rule),
                 parameters: numbers(
                     &contact.values,
-                    &[&parameters(PeakRule::named(&contact.rule))[..], &[Contact::EXIT_RATIO.name]].concat(),
+                    &[&parameters(PeakRule::named(&contact.rule))[..], &[AngleRatio::C3.name]].concat(),
                 ),
             }),
             largest_fitted_slip: self.largest_fitted_slip,

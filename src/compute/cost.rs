@@ -51,7 +51,7 @@ impl Point {
     fn of(operation: &Operation) -> Self {
         let by_method = match operation.model.method {
             Method::Linearised { .. } | Method::Explicit { .. } => &POINTS[0],
-            Method::Quadrature => &POINTS[1],
+            Method::Quadrature | Method::ResistiveForce => &POINTS[1],
             Method::SideSlipping(_) => &POINTS[2],
         };
         by_method[usize::from(matches!(operation.sinkage, Sinkage::CarryingLoad(_)))]

@@ -1,6 +1,6 @@
 //! Quantities of an operating point: how `/v1/forces` and every sweep have them.
 
-use terramechanics::{Forces, Motion, OperatingPoint, SideForce, Slip, Wheel};
+use terramechanics::{Forces, Motion, OperatingPoint, SideForce, Slip, SlipRadius, Wheel};
 
 /// Where a quantity stands in the object of `/v1/forces`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,7 +75,7 @@ impl<'a> Point<'a> {
     /// None at rest, where it is 0/0.
     pub(super) fn tractive_efficiency(&self) -> Option<f64> {
         let Motion { slip, heading, at_rest } = self.motion;
-        if at_rest { None } else { self.forces.tractive_efficiency(self.wheel, slip, heading) }
+        if at_rest { None } else { self.forces.tractive_efficiency(self.wheel, SlipRadius::Rim, slip, heading) }
     }
 }
 

@@ -8,5 +8,6 @@ pub(crate) fn method_name(method: &Method) -> &'static str {
         Method::Quadrature | Method::SideSlipping(_) => "quadrature",
         Method::Linearised { .. } => "linearised",
         Method::Explicit { .. } => "explicit",
+        Method::ResistiveForce => "resistive_force",
     }
 }

@@ -2,8 +2,7 @@
 
 use serde::{Serialize, Serializer};
 use terramechanics::{
-    Bekker, Contact, ContactParams, Declared, JanosiHanamoto, Parameter, PressureSinkage, ShearLaw, SinkageExponent, Soil,
-    SoilParams,
+    Bekker, ContactParams, Declared, JanosiHanamoto, Parameter, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams,
 };
 
 /// An object of a request: its fields by name, in order.
@@ -71,6 +70,5 @@ pub(crate) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Option<Spelled> {
 
 /// A contact.
 pub(crate) fn contact(contact: &ContactParams) -> Spelled {
-    let exit = [(&Contact::EXIT_RATIO, contact.exit_ratio)];
-    tagged("rule", contact.rule.law().name, contact.rule.parameters().chain(exit))
+    tagged("rule", contact.rule.law().name, contact.rule.parameters().chain(contact.exit.parameters()))
 }

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use terramechanics::{
-    Contact, ContactParams, Declared, JanosiHanamoto, Law, Parameter, PeakRule, PressureSinkage, ShearLaw, SlipSinkage,
+    AngleRatio, ContactParams, Declared, ExitRule, JanosiHanamoto, Law, Parameter, PeakRule, PressureSinkage, ShearLaw,
+    SlipSinkage,
 };
 use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
 
@@ -112,7 +113,7 @@ pub(crate) fn shear(Chosen { index, values }: &Chosen) -> Option<Option<ShearLaw
 /// The slip–sinkage law of a request.
 pub(crate) const SLIP_SINKAGE: Tagged = Tagged {
     name: "SlipSinkage",
-    doc: "How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s).",
+    doc: "How the sinkage follows from the static one: lyasko, z = z0 (1 + s)/(1 − s/2); linear, z = z0 (1 + S s), and z0 (1 − S_b s) at negative slip where S_b is given.",
     tag: "law",
     meaning: "Name of the law.",
     suffix: "SlipSinkage",
@@ -136,14 +137,15 @@ pub(crate) const CONTACT: Tagged = Tagged {
     suffix: "Contact",
     variants: || {
         static VARIANTS: LazyLock<Vec<Variant>> =
-            LazyLock::new(|| variants(PeakRule::LAWS, |rule| rule.parameters.iter().chain([&Contact::EXIT_RATIO]).collect()));
+            LazyLock::new(|| variants(PeakRule::LAWS, |rule| rule.parameters.iter().chain([&AngleRatio::C3]).collect()));
         &VARIANTS
     },
 };
 
 pub(crate) fn contact(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
-    let (exit_ratio, values) = values.split_last()?;
-    Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit_ratio: (*exit_ratio)? })
+    let (c3, values) = values.split_last()?;
+    let exit = ExitRule::AngleRatio(AngleRatio { c3: (*c3)? });
+    Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit, ..ContactParams::MIDPOINT })
 }
 
 #[cfg(test)]

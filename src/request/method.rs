@@ -99,7 +99,7 @@ pub(crate) fn takes_two_zones(object: &Reader<'_>, method: Method, contact: &Con
         return true;
     }
     let refusal = match method {
-        Method::Quadrature => None,
+        Method::Quadrature | Method::ResistiveForce => None,
         Method::SideSlipping(side) => (side.angle.angle() != 0.0).then_some(Error::SlipAngleOfTwoZones),
         Method::Linearised { .. } | Method::Explicit { .. } => Some(Error::ClosedFormOfTwoZones),
     };

@@ -1,6 +1,6 @@
 //! The slip of one operating point: given, or by velocities.
 
-use terramechanics::{Motion, Slip, Velocities, Wheel};
+use terramechanics::{Motion, Slip, SlipRadius, Velocities, Wheel};
 use terramechanics_reading::{Field, Group, Number, Reader};
 
 use super::laws::{field, number};
@@ -31,7 +31,7 @@ pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Motion>
         }
         (false, [true, true]) => {
             let velocities = Velocities { forward: forward??, angular: angular?? };
-            Motion::of(wheel?, velocities).map_err(|error| object.place_of(&ANGULAR_VELOCITY).fault(error)).ok()
+            Motion::of(wheel?, SlipRadius::Rim, velocities).map_err(|error| object.place_of(&ANGULAR_VELOCITY).fault(error)).ok()
         }
         (true, _) => {
             object.place_of(&SLIP).fault("give either `slip` or both velocities, not both");

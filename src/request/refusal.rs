@@ -1,6 +1,6 @@
 //! Refusals of the model as faults of the request.
 
-use terramechanics::{Error, Sinkage, SoilLaw, WheelOnSoil};
+use terramechanics::{Error, KnownSinkage, Sinkage, SoilLaw, WheelOnSoil};
 use terramechanics_reading::{FieldFault, Figures};
 
 use super::laws::number;
@@ -9,23 +9,25 @@ use super::laws::number;
 pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
     match error {
         Error::SinkageOutsideWheel { .. } => match sinkage {
-            Sinkage::Given(_) => "/sinkage_m",
-            Sinkage::FromStatic { .. } => "/static_sinkage_m",
+            Sinkage::Given(_) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(_), .. } => "/sinkage_m",
+            Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } => "/static_sinkage_m",
             Sinkage::CarryingLoad(_) => "/normal_load_n",
         },
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
-        Error::PeakOutsideContact { .. } => "/contact",
+        Error::PeakOutsideContact { .. } | Error::InterfaceBeyondSoil { .. } => "/contact",
         Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
         Error::LoadNotCoupled { .. } => "/slip",
         Error::LoadBeyondCapacity { .. }
         | Error::LoadTooLight { .. }
+        | Error::LoadBelowCohesion { .. }
         | Error::LoadNotBalanced { .. }
         | Error::NotFreeRolling { .. } => "/normal_load_n",
         Error::OppositeRotation { .. } => "/angular_velocity_rad_s",
         Error::NotFinite => "",
         Error::MissingLaw(SoilLaw::PressureSinkage) => "/soil/pressure_sinkage",
         Error::MissingLaw(SoilLaw::Shear) => "/soil/shear",
+        Error::MissingLaw(SoilLaw::GranularStiffness) => "/soil",
         Error::Invalid(fault) => match fault.parameter.name {
             "slip" => "/slip",
             "slip_angle_rad" => "/slip_angle_rad",
@@ -48,9 +50,11 @@ pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
     let fault = FieldFault::new(error_pointer(error, sinkage), error);
     match error {
         Error::SinkageOutsideWheel { sinkage: value, radius } => match sinkage {
-            Sinkage::Given(_) => fault.with(sinkage_figures(*value, *radius)),
+            Sinkage::Given(_) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(_), .. } => {
+                fault.with(sinkage_figures(*value, *radius))
+            }
             // The sinkage that was refused is not the number that was sent.
-            Sinkage::FromStatic { .. } => {
+            Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } => {
                 FieldFault { detail: format!("by the slip–sinkage law at this slip, {}", fault.detail), ..fault }
             }
             Sinkage::CarryingLoad(_) => fault,

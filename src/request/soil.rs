@@ -112,12 +112,13 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         pressure_sinkage,
         unit_weight: unit_weight?,
         lateral_shear_modulus: lateral_shear_modulus?,
+        gravity: preset.entry.and_then(SoilRecord::gravity),
+        ..SoilParams::BARE
     };
     if !preset.is_sound {
         return None;
     }
     let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
-    let soil = preset.entry.and_then(SoilRecord::gravity).map_or(soil, |gravity| soil.in_gravity(gravity));
     let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
     Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })

@@ -1,6 +1,6 @@
 //! What all requests have: a wheel, a soil, and where they touch.
 
-use terramechanics::{Braking, Contact, PressureSinkage, Wheel, WheelOnSoil};
+use terramechanics::{Braking, Circles, Contact, ContactParams, PressureSinkage, Wheel, WheelOnSoil};
 use terramechanics_reading::{Field, Group, Object, Reader, Tagged};
 
 use super::laws;
@@ -64,11 +64,14 @@ pub(crate) fn read_wheel(object: &Reader<'_>) -> Option<Wheel> {
     object.required(&WHEEL).and_then(|wheel| wheel::read(&wheel))
 }
 
+/// The circles on which displacement and slip are counted: both on the rim, as the letter prints it.
+const CIRCLES: Circles = Circles::RIM;
+
 /// The contact sent, else the one measured with the soil, else the midpoint.
 pub(crate) fn read_contact(object: &Reader<'_>, soil: Option<&FoundSoil>, needs: Needs<'_>) -> Option<Contact> {
     let Some(chosen) = object.chosen(&CONTACT, needs.fitted)? else {
-        return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT));
+        return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT).with_circles(CIRCLES));
     };
-    let params = laws::contact(&chosen)?;
+    let params = ContactParams { circles: CIRCLES, ..laws::contact(&chosen)? };
     Contact::new(params).map_err(|invalid| object.place_of(&CONTACT).fault(invalid)).ok()
 }

@@ -81,6 +81,8 @@ impl Reason {
             Error::ExponentNotPositive { exponent } => of("sinkage exponent", exponent, "1", Some(0.0), None),
             Error::LoadBeyondCapacity { load, largest, .. } => of("load", load, "N", None, Some(largest)),
             Error::LoadTooLight { load, least, .. } => of("load", load, "N", Some(least), None),
+            Error::InterfaceBeyondSoil { parameter, value, soil } => of(parameter.name, value, parameter.unit, None, Some(soil)),
+            Error::LoadBelowCohesion { load, carries } => of("load", load, "N", Some(carries), None),
             Error::Invalid(_)
             | Error::OppositeRotation { .. }
             | Error::ClosedFormOfTwoZones

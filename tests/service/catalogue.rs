@@ -228,6 +228,6 @@ fn the_model_lists_the_laws_as_the_contract_has_them() {
 #[test]
 fn the_model_lists_all_errata() {
     let model = get("/v1/model").ok();
-    assert_eq!(model["errata"].as_array().expect("errata").len(), 12);
+    assert_eq!(model["errata"].as_array().expect("errata").len(), 13);
     assert!(model["equations"].as_array().expect("equations").len() >= 18);
 }

@@ -220,6 +220,9 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
             json!({"soil": {"shear": parameters}})
         }
         "/slip_sinkage/gain" => json!({"sinkage_m": null, "static_sinkage_m": 0.01, "slip_sinkage": {"law": "linear"}}),
+        "/slip_sinkage/skid_gain" => {
+            json!({"sinkage_m": null, "static_sinkage_m": 0.01, "slip_sinkage": {"law": "linear", "gain": 1}})
+        }
         "/contact/c1" => {
             json!({"contact": {"rule": "wong_reece", "c2": if value > 0.5 { -1.5 } else { 1.5 }}, "slip": slip(1.0)})
         }
@@ -306,7 +309,7 @@ fn identification(body: &Value, pointer: &str) -> Value {
     let mut body = with(&with(body, changes), json!({"fit": [fit]}));
     let around = match pointer {
         "/lambda_a" | "/lambda_b" => json!({"method": "explicit"}),
-        "/slip_sinkage/gain" => json!({"fit": ["static_sinkage_m"]}),
+        "/slip_sinkage/gain" | "/slip_sinkage/skid_gain" => json!({"fit": ["static_sinkage_m"]}),
         "/start/k_s" => {
             body = with(&body, json!({"soil": {"pressure_sinkage": null}}));
             json!({"soil": {"pressure_sinkage": {"law": "direct", "n0": 1}}, "start": {}})

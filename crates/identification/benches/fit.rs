@@ -20,7 +20,7 @@ fn setup(method: &str, sinkage: SinkageSource) -> Setup {
         "linearised" => Method::LINEARISED,
         _ => Method::EXPLICIT,
     };
-    let contact = ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 };
+    let contact = ContactParams { rule: PeakRule::Midpoint, ..ContactParams::MIDPOINT };
     Setup { contact, ..truth(method, sinkage) }
 }
 

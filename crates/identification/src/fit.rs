@@ -38,10 +38,9 @@ const SAME_COST: f64 = 1e-6;
 ///         friction_angle: 0.6,
 ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
 ///         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 747_530.0, exponent })),
-///         unit_weight: None,
-///         lateral_shear_modulus: None,
+///         ..SoilParams::BARE
 ///     },
-///     contact: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 },
+///     contact: ContactParams { rule: PeakRule::Midpoint, ..ContactParams::MIDPOINT },
 ///     model: ForceModel::at_rim(Method::Quadrature),
 ///     sinkage: SinkageSource::Measured,
 /// };

@@ -186,7 +186,7 @@ impl<'a> Problem<'a> {
     /// The result of `of` for every row, until the time is spent or the caller says no.
     pub(crate) fn by_row(&self, of: impl Fn(usize, Slip) -> Result<Prediction, Error>) -> Result<Vec<Prediction>, Obstacle> {
         let rows_per_look = match self.setup.model.method {
-            Method::Quadrature | Method::SideSlipping(_) => 1,
+            Method::Quadrature | Method::SideSlipping(_) | Method::ResistiveForce => 1,
             Method::Linearised { .. } | Method::Explicit { .. } => ROWS_PER_LOOK,
         };
         let mut rows = Vec::with_capacity(self.samples());

@@ -5,8 +5,8 @@ mod common;
 use common::{Noise, slip};
 use serde_json::Value;
 use terramechanics::{
-    Contact, ContactParams, Direct, JanosiHanamoto, NormalStressRadius, PeakRule, PressureSinkage, ShapeIntegrals, ShearLaw,
-    SinkageExponent, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongReece,
+    AngleRatio, Circles, Contact, ContactParams, Direct, ExitRule, JanosiHanamoto, NormalStressRadius, PeakRule, PressureSinkage,
+    ShapeIntegrals, ShearLaw, SinkageExponent, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongReece,
 };
 use terramechanics_identification::{RollingSample, RunningStrength};
 
@@ -24,8 +24,7 @@ fn lugged(modulus: f64, contact: ContactParams) -> WheelOnSoil {
         friction_angle: 0.3,
         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e6, exponent })),
-        unit_weight: None,
-        lateral_shear_modulus: None,
+        ..SoilParams::BARE
     };
     WheelOnSoil {
         wheel: Wheel::new(WheelParams { radius: 0.15, width: 0.12, lug_height: 0.008, lug_coefficient: 0.5 }).expect("a wheel"),
@@ -43,7 +42,15 @@ fn estimate_and_covariance_are_those_of_dense_matrices() {
     let reference: Value = serde_json::from_str(REFERENCE).expect("JSON");
     let contact = &reference["contact"];
     let rule = PeakRule::WongReece(WongReece { c1: number(contact, "c1"), c2: number(contact, "c2") });
-    let system = lugged(number(&reference, "shear_modulus_m"), ContactParams { rule, exit_ratio: number(contact, "c3") });
+    let system = lugged(
+        number(&reference, "shear_modulus_m"),
+        ContactParams {
+            rule,
+            exit: ExitRule::AngleRatio(AngleRatio { c3: number(contact, "c3") }),
+            circles: Circles::RIM,
+            ..ContactParams::MIDPOINT
+        },
+    );
     let mut compared = 0;
     for case in reference["cases"].as_array().expect("cases") {
         let factor = number(case, "forgetting_factor");
@@ -92,7 +99,7 @@ fn sample(system: &WheelOnSoil, ratio: f64, normal: f64, strength: f64) -> Rolli
 fn the_reported_variance_is_the_one_that_noise_causes() {
     const RUNS: usize = 1500;
     const SAMPLES: usize = 120;
-    let midpoint = ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 };
+    let midpoint = ContactParams { rule: PeakRule::Midpoint, ..ContactParams::MIDPOINT };
     let system = lugged(0.012, midpoint);
     let mut noise = Noise::seeded(5);
     for factor in [1.0, 0.99, 0.9, 0.6] {
@@ -121,7 +128,7 @@ fn the_reported_variance_is_the_one_that_noise_causes() {
 /// With λ = 1/2 the weights add up to two, and still a freedom is left.
 #[test]
 fn three_samples_have_a_variance_and_two_have_none() {
-    let system = lugged(0.012, ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 });
+    let system = lugged(0.012, ContactParams { rule: PeakRule::Midpoint, ..ContactParams::MIDPOINT });
     let mut running = RunningStrength::new(system, NormalStressRadius::Rim, 0.5).expect("an estimate");
     let mut variance = |normal: f64, strength: f64| {
         running.take(&sample(&system, 0.3, normal, strength)).expect("a sample");

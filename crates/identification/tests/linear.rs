@@ -26,8 +26,7 @@ fn with_strength(radius: f64, width: f64, modulus: f64, cohesion: f64, friction_
         friction_angle,
         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e4, exponent })),
-        unit_weight: None,
-        lateral_shear_modulus: None,
+        ..SoilParams::BARE
     };
     WheelOnSoil {
         wheel: Wheel::new(WheelParams { radius, width, lug_height: 0.0, lug_coefficient: 0.5 }).expect("a wheel"),

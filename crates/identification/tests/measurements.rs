@@ -4,8 +4,8 @@ mod common;
 
 use common::{column, slip, sought};
 use terramechanics::{
-    Bekker, ContactParams, Direct, ForceModel, JanosiHanamoto, Method, PeakRule, PressureSinkage, ShearLaw, SinkageExponent,
-    SoilParams, Wheel, WheelParams, WongReece,
+    Bekker, Circles, ContactParams, Direct, ForceModel, JanosiHanamoto, Method, PeakRule, PressureSinkage, ShearLaw,
+    SinkageExponent, SoilParams, Wheel, WheelParams, WongReece,
 };
 use terramechanics_identification::{
     DesignGap, Fit, FitOptions, Identifiability, Observations, Quantity, Setup, SinkageSource, Unknown, fit,
@@ -49,10 +49,9 @@ fn ding(lug_height: f64) -> Setup {
             friction_angle: 31.9_f64.to_radians(),
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.011 })),
             pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: 15_600.0, k_phi: 2_407_400.0, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         },
-        contact: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 },
+        contact: ContactParams { circles: Circles::RIM, ..ContactParams::MIDPOINT },
         model: ForceModel::at_rim(Method::Quadrature),
         sinkage: SinkageSource::Measured,
     }
@@ -135,7 +134,11 @@ fn a_few_means_of_a_small_wheel_leave_the_soil_open() {
         wheel: Wheel::new(wheel).expect("a wheel"),
         soil: SoilParams { pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e6, exponent })), ..ding(0.0).soil },
         // The authors' own c1 and c2 for driving straight ahead.
-        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.273, c2: 0.673 }), exit_ratio: 0.0 },
+        contact: ContactParams {
+            rule: PeakRule::WongReece(WongReece { c1: 0.273, c2: 0.673 }),
+            circles: Circles::RIM,
+            ..ContactParams::MIDPOINT
+        },
         ..ding(0.0)
     };
     let observations = Observations {

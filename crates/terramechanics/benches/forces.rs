@@ -2,26 +2,28 @@
 
 use divan::{Bencher, black_box};
 use terramechanics::{
-    Bekker, Contact, ForceModel, JanosiHanamoto, Method, Operation, PeakDepth, PressureSinkage, Sample, SampleMotion, ShearLaw,
-    Sinkage, SinkageExponent, Slip, SlipSinkage, SlipSweep, Soil, SoilParams, StressProfile, Thresholds, Tracker, Velocities,
-    Wheel, WheelOnSoil, WheelParams,
+    Bekker, Circles, Contact, ForceModel, JanosiHanamoto, KnownSinkage, Measured, Method, NormalStressRadius, Operation,
+    PeakDepth, PressureSinkage, Sample, SampleMotion, ShapeIntegrals, ShearLaw, Sinkage, SinkageExponent, Slip, SlipRadius,
+    SlipSinkage, SlipSweep, Soil, SoilParams, StressProfile, Thresholds, Tracker, Velocities, Wheel, WheelOnSoil, WheelParams,
+    pull_from_torque,
 };
 
 fn main() {
     divan::main();
 }
 
-const METHODS: [&str; 3] = ["quadrature", "linearised", "explicit"];
+const METHODS: [&str; 4] = ["quadrature", "resistive_force", "linearised", "explicit"];
 
 fn model(name: &str) -> ForceModel {
     ForceModel::at_rim(match name {
         "quadrature" => Method::Quadrature,
+        "resistive_force" => Method::ResistiveForce,
         "linearised" => Method::LINEARISED,
         _ => Method::EXPLICIT,
     })
 }
 
-/// The letter's wheel and soil (its Fig. 1b).
+/// The letter's wheel and soil (its Fig. 1b), with a density of dry sand.
 fn system() -> WheelOnSoil {
     let exponent = SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None };
     WheelOnSoil {
@@ -31,8 +33,8 @@ fn system() -> WheelOnSoil {
             friction_angle: 0.478,
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
             pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            bulk_density: Some(1600.0),
+            ..SoilParams::BARE
         })
         .expect("a soil"),
         contact: Contact::MIDPOINT,
@@ -41,6 +43,15 @@ fn system() -> WheelOnSoil {
 
 fn operation(method: &str, sinkage: Sinkage) -> Operation {
     Operation { system: system(), model: model(method), sinkage }
+}
+
+/// The same wheel with lugs, the displacement on the shearing circle and the slip on the lug tips, in cohesive soil.
+fn lugged(method: &str, sinkage: Sinkage) -> Operation {
+    let plain = system();
+    let wheel = Wheel::new(WheelParams { lug_height: 0.02, ..*plain.wheel.params() }).expect("a wheel");
+    let soil = Soil::new(SoilParams { cohesion: 100.0, ..*plain.soil.params() }).expect("a soil");
+    let contact = plain.contact.with_circles(Circles { slip: SlipRadius::LugTip, ..Circles::SHEARING });
+    Operation { system: WheelOnSoil { wheel, soil, contact }, model: model(method), sinkage }
 }
 
 fn slip(ratio: f64) -> Slip {
@@ -62,6 +73,24 @@ fn forces_driving(bencher: Bencher<'_, '_>, method: &str) {
 #[divan::bench(args = METHODS, sample_size = 1000)]
 fn forces_braking(bencher: Bencher<'_, '_>, method: &str) {
     one_point(bencher, method, Sinkage::Given(0.02), -0.05);
+}
+
+#[divan::bench(args = METHODS, sample_size = 1000)]
+fn forces_driving_lugged(bencher: Bencher<'_, '_>, method: &str) {
+    let operation = lugged(method, Sinkage::Given(0.02));
+    bencher.bench_local(|| black_box(&operation).at(black_box(slip(0.2))));
+}
+
+/// The load in place of the sinkage modulus, without and with cohesion, which takes an integral more.
+#[divan::bench(args = METHODS, sample_size = 1000)]
+fn known_load(bencher: Bencher<'_, '_>, method: &str) {
+    one_point(bencher, method, Sinkage::UnderLoad { sinkage: KnownSinkage::Given(0.02), load: 80.0 }, 0.2);
+}
+
+#[divan::bench(args = METHODS, sample_size = 1000)]
+fn known_load_lugged_cohesive(bencher: Bencher<'_, '_>, method: &str) {
+    let operation = lugged(method, Sinkage::UnderLoad { sinkage: KnownSinkage::Given(0.02), load: 80.0 });
+    bencher.bench_local(|| black_box(&operation).at(black_box(slip(0.2))));
 }
 
 #[divan::bench(args = METHODS)]
@@ -92,6 +121,16 @@ fn sweep_10001_given_sinkage(bencher: Bencher<'_, '_>, method: &str) {
     sweep(bencher, method, Sinkage::Given(0.02), 10_001);
 }
 
+#[divan::bench(sample_size = 1000)]
+fn pull_from_a_torque(bencher: Bencher<'_, '_>) {
+    let system = system();
+    let measured = Measured { torque: 7.3, normal_load: 90.0 };
+    bencher.bench_local(|| {
+        let angles = system.contact.angles(black_box(0.1), slip(0.2)).expect("angles");
+        pull_from_torque(&system.wheel, &ShapeIntegrals::of(&angles), black_box(measured), NormalStressRadius::Rim)
+    });
+}
+
 #[divan::bench]
 fn profile_201(bencher: Bencher<'_, '_>) {
     let system = system();
@@ -104,7 +143,17 @@ fn profile_201(bencher: Bencher<'_, '_>) {
 /// A thousand samples of telemetry.
 #[divan::bench(args = METHODS)]
 fn track_1000_static_sinkage(bencher: Bencher<'_, '_>, method: &str) {
-    let sinkage = Sinkage::FromStatic { static_sinkage: 0.02, law: SlipSinkage::Lyasko };
+    track(bencher, method, Sinkage::FromStatic { static_sinkage: 0.02, law: SlipSinkage::Lyasko });
+}
+
+/// The same with the load of each: forces from slip, static sinkage and load.
+#[divan::bench(args = METHODS)]
+fn track_1000_known_load(bencher: Bencher<'_, '_>, method: &str) {
+    let sinkage = KnownSinkage::FromStatic { static_sinkage: 0.02, law: SlipSinkage::Lyasko };
+    track(bencher, method, Sinkage::UnderLoad { sinkage, load: 80.0 });
+}
+
+fn track(bencher: Bencher<'_, '_>, method: &str, sinkage: Sinkage) {
     let samples: Vec<Sample> = (0..1000)
         .map(|i| {
             let velocities = Velocities { forward: 0.1 + 0.05 * (f64::from(i) / 70.0).sin(), angular: 0.9 };

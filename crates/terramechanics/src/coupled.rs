@@ -8,7 +8,7 @@
 //! | what | here |
 //! |---|---|
 //! | T = r_s² H E [b c + W tan φ/(r_n A)] / [1 + r_s B E tan φ/(r_n A)] | [`Coupled::forces`] without a torque |
-//! | F_x = (A/H + B²/(A H)) T/r_s − (B/A) W | [`Coupled::forces`] |
+//! | F_x = (A/H + B²/(A H)) T/r_s − (B/A) W | [`pull_from_torque`] |
 //!
 //! Units: SI. Validity: that of linear stresses. If a wheel brakes so hard that the shear stress takes away all that the normal
 //! stress supports, the denominator vanishes and the wheel is refused. If the load is below what the shear stress alone
@@ -21,10 +21,13 @@
 use crate::caution::{Caution, DEEP_SINKAGE, NEGATIVE_NORMAL_STRESS, SLIP_BEYOND_COUPLED_TESTS};
 use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
+use crate::motion::Heading;
 use crate::outcome::system_cautions;
 use crate::patch::ContactPatch;
+use crate::pull_from_torque::{CoupledForces, pull_from_torque, torque_against_slip};
 use crate::rolling::{Rolling, WheelOnSoil};
-use crate::slip::{Heading, Slip};
+use crate::slip::Slip;
+use crate::track::Measured;
 
 /// Least share of the support by the normal stress that the shear stress of a braking wheel may leave: with less, the difference
 /// would lose seven digits of the torque.
@@ -39,19 +42,6 @@ pub struct Coupled {
     pub torque: Option<f64>,
     /// The radius at which the normal stress acts.
     pub normal_stress_radius: NormalStressRadius,
-}
-
-/// Forces that follow from those that are known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoupledForces {
-    /// Longitudinal force F_x, the drawbar pull (N).
-    pub longitudinal: f64,
-    /// Torque T (N·m): the one measured, else what follows from the load.
-    pub torque: f64,
-    /// Normal stress σm at the peak (Pa) that load and torque leave.
-    pub peak_normal_stress: f64,
-    /// Shear stress τm at the peak (Pa) that the torque shows.
-    pub peak_shear_stress: f64,
 }
 
 impl Coupled {
@@ -72,8 +62,7 @@ impl Coupled {
     ///         friction_angle: 0.478,
     ///         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.02 })),
     ///         pressure_sinkage: None, // it cancels
-    ///         unit_weight: None,
-    ///         lateral_shear_modulus: None,
+    ///         ..SoilParams::BARE
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };
@@ -88,39 +77,26 @@ impl Coupled {
     /// ```
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<CoupledForces, Error> {
         WheelOnSoil::NORMAL_LOAD.check(self.normal_load).map_err(Error::Invalid)?;
-        if let Some(torque) = self.torque {
-            WheelOnSoil::TORQUE.check(torque).map_err(Error::Invalid)?;
-        }
         let wheel = &patch.rolling.system.wheel;
-        let (shearing_radius, normal_radius) = (wheel.shearing_radius(), self.normal_stress_radius.of(wheel));
-        let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&patch.angles);
         let torque = match self.torque {
             Some(torque) => torque,
-            None => self.torque_from_load(patch, normal_radius)?,
+            None => self.torque_from_load(patch, self.normal_stress_radius.of(wheel))?,
         };
-        let y = torque / (shearing_radius * h); // Eq. (11c), with r_s (erratum 6)
-        let x = (self.normal_load - b * y) / a; // Eq. (11b)
-        let forces = CoupledForces {
-            longitudinal: (a + b * b / a) * y - b / a * self.normal_load, // A Y − B X, Eq. (11a)
-            torque,
-            peak_normal_stress: x / (normal_radius * wheel.width()),
-            peak_shear_stress: y / (shearing_radius * wheel.width()),
-        };
-        let results = [forces.longitudinal, forces.torque, forces.peak_normal_stress, forces.peak_shear_stress];
-        if results.iter().all(|value| value.is_finite()) { Ok(forces) } else { Err(Error::NotFinite) }
+        let measured = Measured { torque, normal_load: self.normal_load };
+        pull_from_torque(wheel, &ShapeIntegrals::of(&patch.angles), measured, self.normal_stress_radius)
     }
 
     fn torque_from_load(&self, patch: &ContactPatch<'_>, normal_radius: f64) -> Result<f64, Error> {
-        let Rolling { system, .. } = patch.rolling;
+        let Rolling { system, strength, .. } = patch.rolling;
         let shearing_radius = system.wheel.shearing_radius();
         let ShapeIntegrals { a, b, h } = ShapeIntegrals::of(&patch.angles);
         let mobilisation = patch.peak_mobilisation();
-        let friction = system.soil.tan_friction() / (normal_radius * a);
+        let friction = strength.tan_friction / (normal_radius * a);
         let support = 1.0 + shearing_radius * mobilisation * b * friction;
         if support.is_nan() || support < LEAST_SUPPORT {
             return Err(Error::LoadNotCoupled { support });
         }
-        let strength = system.wheel.width() * system.soil.cohesion() + self.normal_load * friction;
+        let strength = system.wheel.width() * strength.cohesion + self.normal_load * friction;
         Ok(shearing_radius * shearing_radius * h * mobilisation * strength / support)
     }
 }
@@ -145,7 +121,8 @@ impl CoupledForces {
     /// All that is to be taken with care at this slip and sinkage (m); nothing of the pressure–sinkage law, which cancels.
     pub fn cautions(&self, system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
         let deep = DEEP_SINKAGE.of(sinkage / system.wheel.radius());
-        let own = [self.caution(), deep, SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
+        let against = torque_against_slip(&system.wheel, &system.contact, slip, sinkage, self.torque);
+        let own = [self.caution(), against, deep, SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
         own.into_iter().flatten().chain(system_cautions(system))
     }
 }

@@ -79,6 +79,13 @@ pub const ERRATA: &[Erratum] = &[
         reason: "Bekker's moduli are per m^(n+1) and m^(n+2)",
         computed: "n",
     },
+    Erratum {
+        number: 13,
+        printed: "(6): the displacement is counted on the rim, r",
+        reason: "(9) and (10) let the shear stress act at r_s, and one body of soil cannot slide on two circles; the models that \
+                 the letter simplifies count it where the stress acts. With the rim, wheels with lugs pull too little",
+        computed: "r_s, from where that circle enters the soil; with shear_displacement_radius = rim, r",
+    },
 ];
 
 #[cfg(test)]

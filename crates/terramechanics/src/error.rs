@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::fault::Fault;
+use crate::parameter::Parameter;
 
 /// Why valid parts, put together, have no answer.
 ///
@@ -54,6 +55,15 @@ pub enum Error {
         /// Exit angle θ2 (rad).
         exit: f64,
     },
+    /// The interface of the rim is stronger than the soil, which would then shear in itself.
+    InterfaceBeyondSoil {
+        /// The value of the interface that is at fault.
+        parameter: &'static Parameter,
+        /// Its value, in the unit of the parameter.
+        value: f64,
+        /// What the soil has.
+        soil: f64,
+    },
     /// A closed form was asked of a contact of two zones, at whose peak no shear stress acts.
     ClosedFormOfTwoZones,
     /// The force across was asked of a contact of two zones, for which no law is known.
@@ -96,8 +106,14 @@ pub enum Error {
         /// The best sinkage (m).
         sinkage: f64,
     },
-    /// By linear stresses no normal stress carries a load, because the shear stress that goes with it pulls the wheel down as
-    /// much as it supports it.
+    /// A load that is known is carried by cohesion alone: no normal stress is left to follow from it.
+    LoadBelowCohesion {
+        /// The load (N).
+        load: f64,
+        /// What cohesion carries (N).
+        carries: f64,
+    },
+    /// No normal stress carries a load, because the shear stress that goes with it pulls the wheel down as much as it supports it.
     LoadNotCoupled {
         /// Support that is left of 1 for the normal stress alone (–).
         support: f64,
@@ -115,6 +131,8 @@ pub enum SoilLaw {
     PressureSinkage,
     /// A shear law.
     Shear,
+    /// A granular stiffness, or a bulk density and the friction from which one follows.
+    GranularStiffness,
 }
 
 impl SoilLaw {
@@ -124,6 +142,7 @@ impl SoilLaw {
         match self {
             Self::PressureSinkage => "pressure_sinkage",
             Self::Shear => "shear",
+            Self::GranularStiffness => "granular_stiffness_n_m3",
         }
     }
 }
@@ -180,6 +199,10 @@ impl fmt::Display for Error {
                 Digits(exit),
                 Digits(entry)
             ),
+            Self::InterfaceBeyondSoil { parameter, value, soil } => {
+                let (name, value, soil) = (parameter.name, Digits(value), Digits(soil));
+                write!(f, "the {name} of the interface is {value}, it must be at most that of the soil, {soil}")
+            }
             Self::ClosedFormOfTwoZones => {
                 write!(
                     f,
@@ -220,6 +243,10 @@ impl fmt::Display for Error {
                 Digits(sinkage),
                 Digits(residual)
             ),
+            Self::LoadBelowCohesion { load, carries } => {
+                let (load, carries) = (Digits(load), Digits(carries));
+                write!(f, "the load {load} N must be greater than the {carries} N that cohesion carries at this slip and sinkage")
+            }
             Self::LoadNotCoupled { support } => write!(
                 f,
                 "no normal stress carries a load here: with the shear stress of this braking wheel only {} is left of each newton \
@@ -228,6 +255,9 @@ impl fmt::Display for Error {
             ),
             Self::MissingLaw(SoilLaw::PressureSinkage) => write!(f, "the soil has no pressure–sinkage law"),
             Self::MissingLaw(SoilLaw::Shear) => write!(f, "the soil has no shear law"),
+            Self::MissingLaw(SoilLaw::GranularStiffness) => {
+                write!(f, "the soil has no granular stiffness, nor a bulk density and a friction angle above 0 that give one")
+            }
             Self::NotFinite => write!(f, "the result overflows: the inputs are too large or too small together"),
         }
     }

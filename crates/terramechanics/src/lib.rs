@@ -10,9 +10,13 @@
 //! in one call for a sinkage that is given, follows from the slip or carries a load, and [`SlipSweep`] goes it for many slips. A
 //! wheel that moves at an angle to its plane has a [`SideSlip`] in its [`Method`], and a [`SideForce`] in its forces.
 //!
+//! A load that is known beside the sinkage takes the place of the sinkage modulus: [`Sinkage::UnderLoad`] and
+//! [`ForceModel::forces_under`]. A wheel with lugs has three circles, and [`Circles`] say on which of them displacement and slip are
+//! counted.
+//!
 //! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
-//! [`Coupled`] finds torque and pull from a load that is measured, [`Resistances`] are the classical estimates for a load, and a
-//! [`Tracker`] follows a wheel over time, one [`Sample`] after another.
+//! [`Coupled`] finds torque and pull from a load that is measured, [`pull_from_torque()`] the pull from load and torque without a soil,
+//! [`Resistances`] are the classical estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 //!
 //! A soil may lack a law: what needs it says so by [`Error::MissingLaw`].
 
@@ -21,6 +25,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 mod braking;
 mod caution;
+mod circles;
 mod contact;
 mod coupled;
 mod errata;
@@ -29,9 +34,12 @@ mod events;
 mod fault;
 mod fittable;
 mod forces;
+mod gravity;
+mod known_load;
 mod lateral;
 mod law;
 mod load;
+mod motion;
 mod numerics;
 mod operation;
 mod outcome;
@@ -39,7 +47,9 @@ mod parameter;
 mod patch;
 mod pressure_sinkage;
 mod profile;
+mod pull_from_torque;
 mod resistances;
+mod resistive_force;
 mod reversals;
 mod rim;
 mod rolling;
@@ -48,6 +58,7 @@ mod slip;
 mod slip_sinkage;
 mod soil;
 mod sources;
+mod strength;
 mod stress;
 mod sweep;
 mod towed;
@@ -57,27 +68,34 @@ mod zones;
 
 pub use braking::*;
 pub use caution::{Caution, CautionKind, TestedRange};
-pub use contact::*;
-pub use coupled::{Coupled, CoupledForces};
+pub use circles::{Circles, ShearDisplacementRadius, SlipRadius};
+pub use contact::{
+    AngleRatio, Angles, Contact, ContactParams, ExitRule, HalfSinkage, Interface, Midpoint, PeakRule, SinkageRatio, WongReece,
+};
+pub use coupled::Coupled;
 pub use errata::{ERRATA, Erratum};
 pub use error::{Error, SoilLaw};
 pub use events::{Event, EventKind, Thresholds};
 pub use fault::{Fault, InvalidInput, MissingParameters};
 pub use fittable::{Fittable, Step, Tolerance};
 pub use forces::{Components, ForceModel, Forces, Lambda, Method, NormalStressRadius, PeakDepth, ShapeIntegrals};
+pub use gravity::STANDARD_GRAVITY;
+pub use known_load::LoadedForces;
 pub use lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SlipAngle};
 pub use law::{Declared, Law};
 pub use load::CarriedLoad;
-pub use operation::{OperatingPoint, Operation, Sinkage};
+pub use motion::{Heading, Motion, Velocities};
+pub use operation::{KnownSinkage, NormalStressFrom, OperatingPoint, Operation, Sinkage};
 pub use outcome::{Outcome, cautions, system_cautions};
 pub use parameter::{Parameter, Parametrised, Presence, Requirement};
 pub use patch::ContactPatch;
 pub use pressure_sinkage::*;
 pub use profile::StressProfile;
+pub use pull_from_torque::{CoupledForces, pull_from_torque, torque_against_slip};
 pub use resistances::{Lacking, Resistances};
 pub use rolling::{Rolling, WheelOnSoil};
 pub use shear::*;
-pub use slip::{Heading, Motion, Slip, Velocities};
+pub use slip::Slip;
 pub use slip_sinkage::*;
 pub use soil::{Soil, SoilParams};
 pub use sources::{Citation, LETTER, SOURCES, Source};

@@ -9,9 +9,10 @@
 //! beyond it, which is the depth under the peak.
 
 use crate::error::Error;
-use crate::forces::{ForceModel, Forces};
+use crate::forces::{ForceModel, Forces, Method, resistive};
 use crate::numerics::brent::{Sample, bracketed_root};
 use crate::pressure_sinkage::PressureCurve;
+use crate::resistive_force::equivalent_modulus;
 use crate::rolling::{Rolling, WheelOnSoil};
 
 /// Relative tolerance of the sinkage, as small as the error of the quadrature allows.
@@ -68,7 +69,7 @@ impl ForceModel {
     /// [`ForceModel::forces`] refuse.
     pub fn solve_sinkage(&self, rolling: &Rolling<'_>, load: f64) -> Result<CarriedLoad, Error> {
         WheelOnSoil::NORMAL_LOAD.check(load).map_err(Error::Invalid)?;
-        let curve = rolling.curve()?;
+        let curve = &self.guide(rolling)?;
         let power = 1.0 / (curve.exponent + 0.5);
         let (least, most) = rolling.sinkages();
         let level = load.powf(power);
@@ -87,6 +88,28 @@ impl ForceModel {
             Ok(CarriedLoad { sinkage, residual, iterations, forces })
         } else {
             Err(Error::LoadNotBalanced { load, iterations, residual, sinkage })
+        }
+    }
+}
+
+impl ForceModel {
+    /// Pressure over depth that tells the search about how deep to look: the soil's, or that of a flat plate in grains.
+    fn guide(&self, rolling: &Rolling<'_>) -> Result<PressureCurve, Error> {
+        match self.method {
+            Method::ResistiveForce => Ok(PressureCurve { modulus: equivalent_modulus(rolling.system)?, exponent: 1.0 }),
+            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => {
+                rolling.curve().copied()
+            }
+        }
+    }
+
+    /// The forces at a sinkage (m), without the angles of the contact where the method does not need them.
+    fn forces_at(&self, rolling: &Rolling<'_>, sinkage: f64) -> Result<Forces, Error> {
+        match self.method {
+            Method::ResistiveForce => resistive::forces_in_grains(rolling, sinkage),
+            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => {
+                self.forces(&rolling.contact(sinkage)?)
+            }
         }
     }
 }
@@ -117,7 +140,7 @@ impl Balance<'_> {
     fn forces(&mut self, beyond: f64) -> Result<Forces, Error> {
         self.iterations += 1;
         let sinkage = self.sinkage(beyond);
-        let forces = self.model.forces(&self.rolling.contact(sinkage)?)?;
+        let forces = self.model.forces_at(self.rolling, sinkage)?;
         self.latest = Some((sinkage, forces));
         Ok(forces)
     }

@@ -2,7 +2,9 @@
 
 use crate::contact::Angles;
 use crate::error::Error;
-use crate::forces::{ForceModel, Forces};
+use crate::forces::{ForceModel, Forces, Method};
+use crate::known_load::LoadedForces;
+use crate::pressure_sinkage::PressureCurve;
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::slip::Slip;
 use crate::slip_sinkage::SlipSinkage;
@@ -21,6 +23,84 @@ pub enum Sinkage {
     },
     /// Such that the normal force carries this load (N).
     CarryingLoad(f64),
+    /// Known together with the load, which takes the place of the sinkage modulus.
+    UnderLoad {
+        /// The sinkage.
+        sinkage: KnownSinkage,
+        /// Load W (N).
+        load: f64,
+    },
+}
+
+/// A sinkage that is known without the soil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum KnownSinkage {
+    /// Given (m).
+    Given(f64),
+    /// From the static sinkage and the slip.
+    FromStatic {
+        /// Static sinkage z0 (m).
+        static_sinkage: f64,
+        /// Slip–sinkage law.
+        law: SlipSinkage,
+    },
+}
+
+impl KnownSinkage {
+    /// The sinkage z (m) at `slip`.
+    #[must_use]
+    pub fn at(&self, slip: Slip) -> f64 {
+        match *self {
+            Self::Given(sinkage) => sinkage,
+            Self::FromStatic { static_sinkage, law } => law.sinkage(static_sinkage, slip),
+        }
+    }
+}
+
+impl Sinkage {
+    /// The load (N) where it is known.
+    #[must_use]
+    pub fn load(&self) -> Option<f64> {
+        match *self {
+            Self::CarryingLoad(load) | Self::UnderLoad { load, .. } => Some(load),
+            Self::Given(_) | Self::FromStatic { .. } => None,
+        }
+    }
+
+    /// The slip–sinkage law that it follows, if it does.
+    #[must_use]
+    pub fn law(&self) -> Option<SlipSinkage> {
+        match *self {
+            Self::FromStatic { law, .. } | Self::UnderLoad { sinkage: KnownSinkage::FromStatic { law, .. }, .. } => Some(law),
+            Self::Given(_) | Self::CarryingLoad(_) | Self::UnderLoad { .. } => None,
+        }
+    }
+
+    /// What the normal stress follows from.
+    #[must_use]
+    pub fn normal_stress_from(&self) -> NormalStressFrom {
+        if matches!(self, Self::UnderLoad { .. }) { NormalStressFrom::Load } else { NormalStressFrom::Soil }
+    }
+}
+
+/// What the normal stress follows from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NormalStressFrom {
+    /// The pressure–sinkage law of the soil.
+    Soil,
+    /// The load, which is known as well as the sinkage.
+    Load,
+}
+
+impl NormalStressFrom {
+    /// A name for programs.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Soil => "soil",
+            Self::Load => "load",
+        }
+    }
 }
 
 /// A wheel on a soil, a way to find its forces and a way to find its sinkage: all but the slip.
@@ -43,10 +123,13 @@ pub struct OperatingPoint {
     pub sinkage: f64,
     /// Characteristic angles.
     pub angles: Angles,
-    /// Sinkage modulus K_s (Pa/m^N).
-    pub sinkage_modulus: f64,
-    /// Sinkage exponent N (–).
-    pub sinkage_exponent: f64,
+    /// Pressure over depth under the wheel: the soil's, or what the load shows. None by the resistive force method, and where a closed
+    /// form under a known load does without, on a soil that has no exponent.
+    pub curve: Option<PressureCurve>,
+    /// Granular stiffness ξ (N/m³) by the resistive force method: the soil's, or what the load shows. None by another method.
+    pub granular_stiffness: Option<f64>,
+    /// What the normal stress follows from.
+    pub normal_stress_from: NormalStressFrom,
     /// The forces on a wheel that moves forward.
     pub forces: Forces,
 }
@@ -55,8 +138,8 @@ impl Operation {
     /// The operating point at `slip`.
     ///
     /// # Errors
-    /// What [`WheelOnSoil::rolling`], [`Rolling::curve`], [`Rolling::contact`], [`ForceModel::forces`] and
-    /// [`ForceModel::solve_sinkage`] refuse.
+    /// What [`WheelOnSoil::rolling`], [`Rolling::curve`], [`Rolling::contact`], [`ForceModel::forces`],
+    /// [`ForceModel::solve_sinkage`] and [`ForceModel::forces_under`] refuse; under a known load not the sinkage modulus.
     pub fn at(&self, slip: Slip) -> Result<OperatingPoint, Error> {
         self.with_sinkage(slip, &self.sinkage)
     }
@@ -64,25 +147,66 @@ impl Operation {
     /// The operating point at `slip` where the sinkage is known in another way than the operation says.
     #[inline]
     pub(crate) fn with_sinkage(&self, slip: Slip, sinkage: &Sinkage) -> Result<OperatingPoint, Error> {
+        if let Sinkage::UnderLoad { sinkage, load } = *sinkage {
+            return self.under_load(slip, &sinkage, load);
+        }
+        if self.model.method == Method::ResistiveForce {
+            return self.in_grains(slip, sinkage);
+        }
         let rolling = self.system.rolling(slip)?;
-        let curve = rolling.curve()?;
+        let curve = *rolling.curve()?;
         let (sinkage, solved) = self.found(&rolling, sinkage)?;
         let patch = rolling.contact(sinkage)?;
         let forces = match solved {
             Some(forces) => forces,
             None => self.model.forces(&patch)?,
         };
-        Ok(OperatingPoint {
-            slip,
-            sinkage,
-            angles: patch.angles,
-            sinkage_modulus: curve.modulus,
-            sinkage_exponent: curve.exponent,
-            forces,
-        })
+        let (angles, normal_stress_from) = (patch.angles, NormalStressFrom::Soil);
+        Ok(OperatingPoint { slip, sinkage, angles, curve: Some(curve), granular_stiffness: None, normal_stress_from, forces })
     }
 
-    /// The sinkage (m) of the wheel as it rolls, and the forces where finding it has found them too.
+    /// The same by the resistive force method. Apart, so that other points do not carry its code along.
+    #[inline(never)]
+    fn in_grains(&self, slip: Slip, sinkage: &Sinkage) -> Result<OperatingPoint, Error> {
+        let rolling = self.model.rolling(&self.system, slip)?;
+        let (sinkage, solved) = self.found(&rolling, sinkage)?;
+        let patch = self.model.contact(&rolling, sinkage)?;
+        let forces = match solved {
+            Some(forces) => forces,
+            None => self.model.forces(&patch)?,
+        };
+        let (angles, granular_stiffness) = (patch.angles, self.system.soil.granular_stiffness());
+        let normal_stress_from = NormalStressFrom::Soil;
+        Ok(OperatingPoint { slip, sinkage, angles, curve: None, granular_stiffness, normal_stress_from, forces })
+    }
+
+    /// The same of a wheel whose load is known too. Apart, so that other points do not carry its code along.
+    #[inline(never)]
+    fn under_load(&self, slip: Slip, sinkage: &KnownSinkage, load: f64) -> Result<OperatingPoint, Error> {
+        let rolling = match self.model.method {
+            Method::ResistiveForce => self.model.rolling(&self.system, slip)?,
+            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => {
+                self.system.rolling_under_load(slip)?
+            }
+        };
+        let sinkage = sinkage.at(slip);
+        let patch = self.model.contact(&rolling, sinkage)?;
+        let LoadedForces { forces, curve, granular_stiffness } = self.model.forces_under(&patch, load)?;
+        let (angles, normal_stress_from) = (patch.angles, NormalStressFrom::Load);
+        Ok(OperatingPoint { slip, sinkage, angles, curve, granular_stiffness, normal_stress_from, forces })
+    }
+
+    /// Normal force F_z (N) at the standstill, from which that of a wheel drifts whose sinkage follows from a static one and whose
+    /// load is not known; none for another sinkage, or where the model has no answer at rest.
+    #[must_use]
+    pub fn standstill_normal(&self) -> Option<f64> {
+        match self.sinkage {
+            Sinkage::FromStatic { .. } => self.at(Slip::ROLLING).ok().map(|point| point.forces.normal),
+            Sinkage::Given(_) | Sinkage::CarryingLoad(_) | Sinkage::UnderLoad { .. } => None,
+        }
+    }
+
+    /// The sinkage (m) of the wheel as it rolls by the method ([`ForceModel::rolling`]), and the forces where finding it has found them too.
     ///
     /// # Errors
     /// What [`ForceModel::solve_sinkage`] refuses.
@@ -99,6 +223,25 @@ impl Operation {
                 let carried = self.model.solve_sinkage(rolling, load)?;
                 Ok((carried.sinkage, Some(carried.forces)))
             }
+            Sinkage::UnderLoad { sinkage, load } => {
+                let sinkage = sinkage.at(rolling.slip);
+                let loaded = self.model.forces_under(&self.model.contact(rolling, sinkage)?, load)?;
+                Ok((sinkage, Some(loaded.forces)))
+            }
         }
+    }
+}
+
+impl OperatingPoint {
+    /// Sinkage modulus K_s (Pa/m^N): the soil's, or the one found from the load.
+    #[must_use]
+    pub fn sinkage_modulus(&self) -> Option<f64> {
+        self.curve.map(|curve| curve.modulus)
+    }
+
+    /// Sinkage exponent N (–).
+    #[must_use]
+    pub fn sinkage_exponent(&self) -> Option<f64> {
+        self.curve.map(|curve| curve.exponent)
     }
 }

@@ -1,12 +1,13 @@
 //! When does a result leave the range in which its model was tested?
 
 use crate::caution::{
-    BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, Caution, DEEP_SINKAGE, INTEGRATION_ERROR, LOAD_RESIDUAL, LOW_GRAVITY,
-    LUG_HEIGHT_ASSUMED, PEAK_RULE_SET_ASIDE, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
+    BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, COHESION_LEFT_OUT, Caution, DEEP_SINKAGE, INTEGRATION_ERROR, LOAD_RESIDUAL,
+    LOW_GRAVITY, LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, NORMAL_FORCE_DRIFTS, PEAK_RULE_SET_ASIDE, RESISTIVE_FORCE_BRAKING,
+    ROUGH_CYLINDER, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
 };
 use crate::forces::Method;
 use crate::lateral::Bulldozing;
-use crate::operation::{OperatingPoint, Operation, Sinkage};
+use crate::operation::{NormalStressFrom, OperatingPoint, Operation, Sinkage};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
@@ -24,6 +25,8 @@ pub struct Outcome {
     pub integration_error: f64,
     /// Share of the pressure on the side wall that is mobilised (–), where a slip angle was asked for.
     pub mobilised_share: Option<f64>,
+    /// Normal force (N) at the standstill, where it is known: see [`Operation::standstill_normal`].
+    pub standstill_normal: Option<f64>,
 }
 
 impl From<&OperatingPoint> for Outcome {
@@ -35,6 +38,7 @@ impl From<&OperatingPoint> for Outcome {
             normal: Some(forces.normal),
             integration_error: forces.integration_error,
             mobilised_share: forces.side.map(|side| side.mobilised_share),
+            standstill_normal: None,
         }
     }
 }
@@ -47,11 +51,15 @@ pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + 
 
 /// The cautions that apply where the pressure–sinkage law is used.
 pub(crate) fn pressure_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
-    let [first, second] = match system.soil.pressure_sinkage() {
-        Some(law) => law.cautions(&system.plate()),
-        None => [None, None],
+    let law = system.soil.pressure_sinkage();
+    let [first, second] = law.map_or([None, None], |law| law.cautions(&system.plate()));
+    let elsewhere = match law {
+        Some(PressureSinkage::Bekker(_) | PressureSinkage::Direct(_) | PressureSinkage::Diameter(_)) => {
+            MODULI_OF_OTHER_GRAVITY.when(system.soil.has_left_its_gravity())
+        }
+        Some(PressureSinkage::Reece(_)) | None => None,
     };
-    [first, second].into_iter().flatten()
+    [first, second, elsewhere].into_iter().flatten()
 }
 
 /// The cautions that apply to the force across a wheel.
@@ -61,6 +69,20 @@ fn side_cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item
     let counted = if side.bulldozing == Bulldozing::Full { outcome.mobilised_share } else { None };
     let not_mobilised = counted.and_then(|share| BULLDOZING_NOT_MOBILISED.of(share));
     [BULLDOZING_LEFT_OUT.when(left_out), not_mobilised].into_iter().flatten()
+}
+
+/// The cautions that apply to the resistive force method.
+fn grain_cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Item = Caution> + use<> {
+    let WheelOnSoil { wheel, soil, .. } = &operation.system;
+    let own = match operation.model.method {
+        Method::ResistiveForce => [
+            RESISTIVE_FORCE_BRAKING.of(outcome.slip.ratio()),
+            COHESION_LEFT_OUT.of(soil.cohesion()),
+            ROUGH_CYLINDER.when(wheel.lug_height() > 0.0),
+        ],
+        Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => [None, None, None],
+    };
+    own.into_iter().flatten()
 }
 
 /// What the slip is beyond: the tests of the sinkage exponent's gain, where the soil has one.
@@ -86,14 +108,21 @@ pub(crate) fn cautions_with_sinkage(
     outcome: &Outcome,
 ) -> impl Iterator<Item = Caution> + use<> {
     let system = &operation.system;
-    let residual = match (sinkage, outcome.normal) {
-        (Sinkage::CarryingLoad(load), Some(normal)) => (normal - load).abs() / load,
+    let residual = match (sinkage.load(), outcome.normal) {
+        (Some(load), Some(normal)) => (normal - load).abs() / load,
         _ => 0.0,
     };
-    let [beyond_gain, braking_gain] = gain_cautions(system, outcome.slip.ratio());
-    let [beyond_law, braking_law] = match sinkage {
-        Sinkage::FromStatic { law, .. } => law.cautions(outcome.slip),
-        Sinkage::Given(_) | Sinkage::CarryingLoad(_) => [None, None],
+    // A load that is known takes the place of the modulus; the exponent is left to the integrals.
+    let by_load = sinkage.normal_stress_from() == NormalStressFrom::Load;
+    let in_grains = operation.model.method == Method::ResistiveForce;
+    let no_exponent = in_grains || by_load && operation.model.method.is_closed_form();
+    let [beyond_gain, braking_gain] = if no_exponent { [None, None] } else { gain_cautions(system, outcome.slip.ratio()) };
+    let [beyond_law, braking_law] = sinkage.law().map_or([None, None], |law| law.cautions(outcome.slip));
+    let drift = match (sinkage, outcome.normal, outcome.standstill_normal) {
+        (Sinkage::FromStatic { .. }, Some(normal), Some(standstill)) if standstill > 0.0 => {
+            NORMAL_FORCE_DRIFTS.of(normal / standstill - 1.0)
+        }
+        _ => None,
     };
     let of_outcome = [
         DEEP_SINKAGE.of(outcome.sinkage / system.wheel.radius()),
@@ -101,10 +130,13 @@ pub(crate) fn cautions_with_sinkage(
         beyond_law,
         braking_gain,
         braking_law,
-        PEAK_RULE_SET_ASIDE.when(!outcome.slip.is_driving() && system.contact.sets_rule_aside()),
+        PEAK_RULE_SET_ASIDE.when(!in_grains && system.contact.sets_rule_aside() && system.kinematics(outcome.slip).skid > 0.0),
         INTEGRATION_ERROR.of(outcome.integration_error),
         LOAD_RESIDUAL.of(residual),
+        drift,
     ];
     let across = side_cautions(operation, outcome);
-    pressure_cautions(system).chain(system_cautions(system)).chain(of_outcome.into_iter().flatten()).chain(across)
+    let grains = grain_cautions(operation, outcome);
+    let pressure = (!by_load && !in_grains).then(|| pressure_cautions(system)).into_iter().flatten();
+    pressure.chain(system_cautions(system)).chain(of_outcome.into_iter().flatten()).chain(across).chain(grains)
 }

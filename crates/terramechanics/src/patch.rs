@@ -5,11 +5,18 @@
 //! | (3), (4) depth of a rim point | [`ContactPatch::depth`] |
 //! | (6) exponent of E | [`ContactPatch::shear_displacement`] |
 //!
+//! The displacement is counted on a circle r_j from where that enters the soil, θ1' = arccos((r − z)/r_j), see `circles.rs`. The
+//! soil under a lug has been sheared before the rim comes in, so j(θ1) > 0 where r_j > r:
+//!
+//! j(θ) = j(θ1) + r_j [(θ1 − θ) − κ (sin θ1 − sin θ)], κ = v/(r_j ω).
+//!
 //! Departures: Eq. (3) holds ahead of the peak and Eq. (4) behind it, the other way round than printed (erratum 1); for (6)
 //! see `shear/`. At s < 0 the displacement may follow another law instead (`braking/`).
 
-use crate::contact::Angles;
+use crate::circles::Kinematics;
+use crate::contact::{Angles, angle_at_depth};
 use crate::error::Error;
+use crate::numerics::circular::HalfArc;
 use crate::rim::{RimEntry, RimPoint};
 use crate::rolling::Rolling;
 use crate::zones::Zones;
@@ -24,6 +31,36 @@ pub struct ContactPatch<'a> {
     /// Characteristic angles.
     pub angles: Angles,
     entry: RimEntry,
+    lead: Lead,
+}
+
+/// What the circle of the displacement is ahead of the rim by: nothing where it is the rim.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Lead {
+    /// θ1' − θ1 (rad).
+    arc: f64,
+    /// j (m) where the rim enters; 0 for a wheel that does not turn.
+    displacement: f64,
+}
+
+impl Lead {
+    const NONE: Self = Self { arc: 0.0, displacement: 0.0 };
+
+    /// On a wheel of `radius` r (m) at `sinkage` z (m) that enters at `entry` θ1 (rad).
+    ///
+    /// cos θ1 − cos θ1' = (r − z)(1/r − 1/r_j) = 2 sin a sin x, with the half arc x and the middle a between both entries, gives x
+    /// without cancellation.
+    #[inline(never)]
+    fn of(kinematics: &Kinematics, radius: f64, sinkage: f64, entry: f64) -> Self {
+        let Kinematics { radius: outer, offset, ratio, complement, .. } = *kinematics;
+        let outer_entry = angle_at_depth((offset + sinkage) / outer);
+        let middle = 0.5 * (entry + outer_entry);
+        let half_arc = (0.5 * (radius - sinkage) * offset / (radius * outer) / middle.sin()).asin();
+        let HalfArc { sin, excess, .. } = HalfArc::of(half_arc);
+        let one_minus_cos_middle = 2.0 * (0.5 * middle).sin().powi(2);
+        let displacement = 2.0 * outer * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle));
+        Self { arc: 2.0 * half_arc, displacement: if ratio.is_finite() { displacement } else { 0.0 } }
+    }
 }
 
 impl Rolling<'_> {
@@ -42,11 +79,34 @@ impl Rolling<'_> {
             None => self.system.contact.angles(depth_ratio, self.slip)?,
             Some(reversal) => self.system.contact.angles_parted_at(reversal, depth_ratio)?,
         };
-        Ok(ContactPatch { rolling: self, sinkage, angles, entry: RimEntry::at_depth(depth_ratio) })
+        let kinematics = &self.kinematics;
+        let lead = if kinematics.radius == radius { Lead::NONE } else { Lead::of(kinematics, radius, sinkage, angles.entry) };
+        Ok(ContactPatch { rolling: self, sinkage, angles, entry: RimEntry::at_depth(depth_ratio), lead })
+    }
+}
+
+impl Rolling<'_> {
+    /// The contact of the leading edge at `sinkage` z (m), with its peak where `peak` (rad) says.
+    ///
+    /// # Errors
+    /// [`Error::SinkageOutsideWheel`] unless 0 < z ≤ r.
+    pub(crate) fn leading_contact(&self, sinkage: f64, peak: f64) -> Result<ContactPatch<'_>, Error> {
+        let radius = self.system.wheel.radius();
+        if !(sinkage > 0.0 && sinkage <= radius) {
+            return Err(Error::SinkageOutsideWheel { sinkage, radius });
+        }
+        let depth_ratio = sinkage / radius;
+        let angles = Angles { entry: angle_at_depth(depth_ratio), peak, exit: 0.0 };
+        Ok(ContactPatch { rolling: self, sinkage, angles, entry: RimEntry::at_depth(depth_ratio), lead: Lead::NONE })
     }
 }
 
 impl ContactPatch<'_> {
+    /// The same contact of a wheel that differs in the pressure and the strength of its soil alone.
+    pub(crate) fn with<'b>(&self, rolling: &'b Rolling<'b>) -> ContactPatch<'b> {
+        ContactPatch { rolling, sinkage: self.sinkage, angles: self.angles, entry: self.entry, lead: self.lead }
+    }
+
     /// Whether it is the contact of a braking wheel with two zones.
     #[must_use]
     pub fn has_two_zones(&self) -> bool {
@@ -56,7 +116,7 @@ impl ContactPatch<'_> {
     /// The zones of a braking wheel, where its law has two.
     #[inline]
     pub(crate) fn zones(&self) -> Option<Zones> {
-        self.rolling.reversal.map(|reversal| Zones::new(self.angles.entry, reversal))
+        self.rolling.reversal.map(|reversal| Zones::new(self.angles.entry, self.lead.arc, reversal))
     }
 
     /// Depth that presses on the rim at `theta` (rad) in [θ2, θ1], in (m): the geometric one ahead of the peak, its mirror
@@ -86,21 +146,28 @@ impl ContactPatch<'_> {
 
     /// Shear displacement j (m) of a turning wheel. Eq. (6).
     ///
-    /// j = r [(1 − κ) δ + κ (δ − sin θ1 + sin θ)], and δ − sin θ1 + sin θ = 2 (x − sin x) + 2 sin x (1 − cos a): neither
-    /// bracket cancels.
+    /// j − j(θ1) = r_j [(1 − κ) δ + κ (δ − sin θ1 + sin θ)], and δ − sin θ1 + sin θ = 2 (x − sin x) + 2 sin x (1 − cos a):
+    /// neither bracket cancels.
     #[inline]
     pub(crate) fn displacement(&self, point: &RimPoint) -> f64 {
-        let (velocity_ratio, velocity_complement) = self.rolling.velocity_ratio();
-        2.0 * self.rolling.system.wheel.radius()
-            * (velocity_complement * point.half_arc
-                + velocity_ratio * (point.excess + point.sin_half_arc * point.one_minus_cos_middle))
+        let Kinematics { radius, ratio, complement, .. } = self.rolling.kinematics;
+        self.lead.displacement
+            + 2.0
+                * radius
+                * (complement * point.half_arc + ratio * (point.excess + point.sin_half_arc * point.one_minus_cos_middle))
     }
 
-    /// Speed 1 − κ cos θ (–) of a place of the rim against the soil, backwards, over rω, for a turning wheel.
+    /// Arc θ1' − θ (rad) of a place of the rim behind the entry of the circle of the displacement.
+    #[inline]
+    pub(crate) fn sheared_arc(&self, point: &RimPoint) -> f64 {
+        point.arc() + self.lead.arc
+    }
+
+    /// Speed 1 − κ cos θ (–) against the soil, backwards, over r_j ω, of a place of a turning wheel.
     #[inline]
     pub(crate) fn slip_velocity(&self, point: &RimPoint) -> f64 {
-        let (velocity_ratio, velocity_complement) = self.rolling.velocity_ratio();
-        velocity_complement + velocity_ratio * (point.sin * point.sin / (1.0 + point.cos))
+        let Kinematics { ratio, complement, .. } = self.rolling.kinematics;
+        complement + ratio * (point.sin * point.sin / (1.0 + point.cos))
     }
 
     /// E (–) at a place of the rim.
@@ -125,9 +192,9 @@ impl ContactPatch<'_> {
         if rolling.slip.is_locked() { -rolling.shear().residual() } else { rolling.mobilisation(self.displacement(point)) }
     }
 
-    /// Shear displacement j (m) at `theta` (rad): 0 at the entry, not negative on a driving wheel, infinite on a locked one
-    /// (no finite displacement describes a wheel that does not turn). Eq. (6). Of two zones, positive in the front one and
-    /// negative in the rear one.
+    /// Shear displacement j (m) at `theta` (rad): 0 where its circle enters the soil, not negative where that circle does not
+    /// skid, infinite on a locked wheel (no finite displacement describes one that does not turn). Eq. (6). Of two zones, positive
+    /// in the front one and negative in the rear one.
     #[must_use]
     pub fn shear_displacement(&self, theta: f64) -> f64 {
         if let Some(zones) = self.zones() {
@@ -142,8 +209,8 @@ impl ContactPatch<'_> {
     /// Arc (rad) behind the entry over which E changes: the displacement by which its law scales, over dj/dδ at the entry.
     /// Infinite on a locked wheel, whose E is constant.
     pub(crate) fn shear_layer(&self) -> f64 {
-        let Rolling { system, slip, .. } = self.rolling;
-        let growth = system.wheel.radius() * (1.0 - self.rolling.velocity_ratio().0 * self.entry.cos()).abs();
-        if slip.is_locked() { f64::INFINITY } else { self.rolling.shear().scale() / growth }
+        let Rolling { slip, kinematics, strength, .. } = self.rolling;
+        let growth = kinematics.radius * (1.0 - kinematics.ratio * self.entry.cos()).abs();
+        if slip.is_locked() { f64::INFINITY } else { strength.shear_scale / growth }
     }
 }

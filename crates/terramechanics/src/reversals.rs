@@ -5,17 +5,16 @@ use crate::numerics::brent::{Sample, bracketed_root};
 use crate::patch::ContactPatch;
 
 impl ContactPatch<'_> {
-    /// Arcs δ = θ1 − θ (rad) behind the entry, ascending, at which j changes sign: only on a braking wheel, at most two,
+    /// Arcs δ = θ1 − θ (rad) behind the entry, ascending, at which j changes sign: only where its circle skids, at most two,
     /// the second only behind the lowest point.
     ///
-    /// With g(θ) = κ sin θ − θ, which is odd, j = r (g(θ) − g(θ1)); g rises between −θ* and θ* = arccos(1/κ) and falls
+    /// With g(θ) = κ sin θ − θ, which is odd, j = r_j (g(θ) − g(θ1')); g rises between −θ* and θ* = arccos(1/κ) and falls
     /// outside. So j can vanish once on the rise and once more on the fall behind −θ*. Of two zones the one between them, the
-    /// peak, is not listed, and θ0 < θ*.
+    /// peak, is not listed, and θ0 < θ*. Where θ* ≥ θ1', the second lies behind −√3 θ1' or so, which no contact reaches.
     pub(crate) fn shear_reversals(&self) -> ShearReversals {
         let mut reversals = ShearReversals::default();
-        let slip = self.rolling.slip;
         let Angles { entry, exit, .. } = self.angles;
-        if slip.is_driving() || slip.is_locked() {
+        if self.rolling.kinematics.skid <= 0.0 || self.rolling.slip.is_locked() {
             return reversals;
         }
         let turning = self.rolling.turning();
@@ -23,10 +22,10 @@ impl ContactPatch<'_> {
             self.push_reversal_between(-turning, exit, &mut reversals); // j falls from θ0 on, until it turns
             return reversals;
         }
-        if turning >= entry {
-            return reversals; // j falls from the entry on
+        if turning >= self.sheared_arc(&self.rim_point(entry)) {
+            return reversals; // j falls from its own entry on
         }
-        for (front, rear) in [(turning, (-turning).max(exit)), (-turning, exit)] {
+        for (front, rear) in [(turning.min(entry), (-turning).max(exit)), (-turning, exit)] {
             self.push_reversal_between(front, rear, &mut reversals);
         }
         reversals

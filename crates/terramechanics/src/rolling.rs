@@ -1,13 +1,15 @@
 //! What holds for a wheel at its slip, however deep it sinks? Its motion, and the laws of its soil.
 
+use crate::circles::Kinematics;
 use crate::contact::Contact;
 use crate::error::{Error, SoilLaw};
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::pressure_sinkage::{Plate, PressureCurve};
-use crate::shear::ShearLaw;
+use crate::shear::{JanosiHanamoto, ShearLaw};
 use crate::slip::Slip;
 use crate::soil::Soil;
+use crate::strength::Strength;
 use crate::wheel::Wheel;
 
 /// A wheel on a soil, touching it in a given way.
@@ -31,8 +33,10 @@ pub struct Rolling<'a> {
     shear: &'a ShearLaw,
     /// The pressure over depth, where the soil has a law for it.
     curve: Option<PressureCurve>,
-    velocity_ratio: f64,
-    velocity_complement: f64,
+    /// The motion of the circle on which the shear displacement is counted.
+    pub(crate) kinematics: Kinematics,
+    /// What shears along the rim.
+    pub(crate) strength: Strength,
     /// θ0 where the law of braking has two zones.
     pub(crate) reversal: Option<f64>,
 }
@@ -103,17 +107,52 @@ impl WheelOnSoil {
     ///
     /// # Errors
     /// [`Error::MissingLaw`] where the soil has no shear law; [`Error::ExponentNotPositive`] and
-    /// [`Error::ModulusNotPositive`] by its pressure–sinkage law, if it has one.
+    /// [`Error::ModulusNotPositive`] by its pressure–sinkage law, if it has one; [`Error::InterfaceBeyondSoil`] where the interface
+    /// of the contact is stronger than the soil.
     #[inline(always)] // as a call its answer passes through memory, which the explicit forces feel
     pub fn rolling(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
         let curve = match self.soil.pressure_sinkage() {
             Some(law) => Some(law.curve(&self.plate(), slip)?),
             None => None,
         };
+        self.rolling_on(slip, curve)
+    }
+
+    /// The wheel rolling at `slip` under a load that is known: of its pressure–sinkage law the exponent counts alone, and the modulus
+    /// is 1.
+    ///
+    /// # Errors
+    /// What [`WheelOnSoil::rolling`] refuses but for the modulus.
+    pub(crate) fn rolling_under_load(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
+        let curve = match self.soil.pressure_sinkage() {
+            Some(law) => Some(law.shape(slip)?),
+            None => None,
+        };
+        self.rolling_on(slip, curve)
+    }
+
+    #[inline(always)] // as above
+    fn rolling_on(&self, slip: Slip, curve: Option<PressureCurve>) -> Result<Rolling<'_>, Error> {
         let shear = self.soil.required_shear()?;
-        let (velocity_ratio, velocity_complement) = slip.velocity_ratio();
-        let reversal = self.contact.braking().reversal(slip, self.soil.tan_friction());
-        Ok(Rolling { system: self, slip, shear, curve, velocity_ratio, velocity_complement, reversal })
+        let kinematics = self.kinematics(slip);
+        let strength = Strength::of(&self.soil, self.contact.params().interface.as_ref())?;
+        let reversal = self.contact.braking().reversal(kinematics.skid, self.soil.tan_friction());
+        Ok(Rolling { system: self, slip, shear, curve, kinematics, strength, reversal })
+    }
+
+    /// The wheel rolling at `slip` in grains: neither the laws of the soil nor the zones of braking have a part in it. What needs a law
+    /// all the same finds no number.
+    pub(crate) fn rolling_in_grains(&self, slip: Slip) -> Rolling<'_> {
+        static NO_LAW: ShearLaw = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: f64::NAN });
+        let strength = Strength { shear_scale: f64::NAN, per_shear_scale: f64::NAN, ..self.soil.strength() };
+        let kinematics = self.kinematics(slip);
+        Rolling { system: self, slip, shear: &NO_LAW, curve: None, kinematics, strength, reversal: None }
+    }
+
+    /// The motion at `slip` of the circle on which the shear displacement is counted.
+    #[inline]
+    pub(crate) fn kinematics(&self, slip: Slip) -> Kinematics {
+        Kinematics::of(self.contact.circles(), &self.wheel, slip)
     }
 
     /// Pressure over depth under the wheel at `slip`.
@@ -135,6 +174,10 @@ impl WheelOnSoil {
 }
 
 impl Rolling<'_> {
+    /// The same wheel on a soil of that pressure and that cohesion (Pa).
+    pub(crate) fn pressed_by(&self, curve: PressureCurve, cohesion: f64) -> Self {
+        Self { curve: Some(curve), strength: Strength { cohesion, ..self.strength }, ..*self }
+    }
     /// Pressure over depth under the wheel.
     ///
     /// # Errors
@@ -154,20 +197,20 @@ impl Rolling<'_> {
     /// E (–) at a shear displacement j (m). Eq. (6).
     #[inline]
     pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
-        self.shear.mobilisation(displacement * self.system.soil.per_shear_scale())
+        self.shear.mobilisation(displacement * self.strength.per_shear_scale)
     }
 
     /// Reciprocal of the displacement by which the shear law scales across the wheel (1/m).
     #[inline]
     pub(crate) fn per_lateral_modulus(&self) -> f64 {
-        1.0 / self.system.soil.params().lateral_shear_modulus.unwrap_or_else(|| self.shear.scale())
+        1.0 / self.system.soil.params().lateral_shear_modulus.unwrap_or(self.strength.shear_scale)
     }
 
-    /// θ* (rad): the rim of a braking wheel slips forwards over the soil between −θ* and θ*, where cos θ > 1/κ, and backwards
-    /// elsewhere; that of a driving wheel backwards throughout, and least at θ* = 0.
+    /// θ* (rad): the circle of the displacement, where it skids, slips forwards over the soil between −θ* and θ*, where cos θ > 1/κ,
+    /// and backwards elsewhere; else backwards throughout, and least at θ* = 0.
     pub(crate) fn turning(&self) -> f64 {
-        // arccos(1 + s), written for small slip.
-        2.0 * (-0.5 * self.slip.ratio().min(0.0)).sqrt().asin()
+        // arccos(1/κ), written for small skid.
+        2.0 * (0.5 * self.kinematics.skid.max(0.0)).sqrt().asin()
     }
 
     /// Sinkages (m) between which the wheel can have a contact: the lower one, not itself one of them, is 0 unless two zones
@@ -177,15 +220,9 @@ impl Rolling<'_> {
         self.reversal.map_or((0.0, radius), |reversal| self.system.contact.sinkages_parted_at(reversal, radius))
     }
 
-    /// κ = v/(rω) and 1 − κ.
-    #[inline]
-    pub(crate) fn velocity_ratio(&self) -> (f64, f64) {
-        (self.velocity_ratio, self.velocity_complement)
-    }
-
-    /// Shear strength c + σ tan φ (Pa). Eq. (5).
+    /// Shear strength c + σ tan φ (Pa) along the rim. Eq. (5).
     #[inline]
     pub(crate) fn shear_strength(&self, normal_stress: f64) -> f64 {
-        self.system.soil.cohesion() + normal_stress * self.system.soil.tan_friction()
+        self.strength.cohesion + normal_stress * self.strength.tan_friction
     }
 }

@@ -11,6 +11,7 @@ use crate::fittable::{Fittable, Step, Tolerance};
 use crate::parameter::{Parameter, Presence, Requirement, present};
 use crate::pressure_sinkage::PressureSinkage;
 use crate::shear::ShearLaw;
+use crate::strength::Strength;
 
 /// Parameters of a soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,19 +28,23 @@ pub struct SoilParams {
     pub unit_weight: Option<f64>,
     /// Shear deformation modulus K_y across the direction of travel (m), greater than 0, if it differs from the one along it.
     pub lateral_shear_modulus: Option<f64>,
+    /// Bulk density ρ (kg/m³), greater than 0, if known; it gives the unit weight where none is known, and the granular stiffness.
+    pub bulk_density: Option<f64>,
+    /// Gravity g (m/s²), greater than 0, in which these values hold, if known.
+    pub gravity: Option<f64>,
+    /// Granular stiffness ξ (N/m³), greater than 0, if known; it follows from the density where it is not.
+    pub granular_stiffness: Option<f64>,
 }
 
 /// A soil whose parameters make sense.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Soil {
     params: SoilParams,
-    tan_friction: f64,
-    /// Reciprocal of the displacement by which the shear law scales (1/m); NaN without a law.
-    per_shear_scale: f64,
+    strength: Strength,
     /// Unit weight γ (N/m³), if known: the soil's own, else the one in its pressure–sinkage law.
     unit_weight: Option<f64>,
-    /// Gravity where the soil lies (m/s²), if it is known.
-    gravity: Option<f64>,
+    /// Gravity (m/s²) in which the soil was measured, if it is known.
+    measured_gravity: Option<f64>,
     /// Largest slip (–) of the tests to which the gain of the sinkage exponent was fitted, if it is known.
     largest_fitted_slip: Option<f64>,
 }
@@ -94,8 +99,15 @@ impl Soil {
     };
 
     /// What a soil has besides the parameters of its laws.
-    pub const PARAMETERS: &'static [Parameter] =
-        &[Self::COHESION, Self::FRICTION_ANGLE, Self::LATERAL_SHEAR_MODULUS, Self::UNIT_WEIGHT];
+    pub const PARAMETERS: &'static [Parameter] = &[
+        Self::COHESION,
+        Self::FRICTION_ANGLE,
+        Self::LATERAL_SHEAR_MODULUS,
+        Self::UNIT_WEIGHT,
+        Self::BULK_DENSITY,
+        Self::GRAVITY,
+        Self::GRANULAR_STIFFNESS,
+    ];
 
     /// Its strength in a fit.
     pub const FITTABLE: &'static [Fittable] = &[
@@ -123,37 +135,41 @@ impl Soil {
     /// Every parameter that is not finite or outside its range. Whether the sinkage modulus is positive depends on the
     /// wheel and is checked with it.
     pub fn new(params: SoilParams) -> Result<Self, InvalidInput> {
-        let [cohesion, friction_angle, lateral_shear_modulus, unit_weight] = params.values();
+        let [cohesion, friction_angle, lateral_shear_modulus, unit_weight, grains @ ..] = params.values();
         let strength = present(&[Self::COHESION, Self::FRICTION_ANGLE], vec![cohesion, friction_angle]);
         let laws = params.shear.iter().flat_map(ShearLaw::parameters);
         let laws = laws.chain(params.pressure_sinkage.iter().flat_map(PressureSinkage::parameters));
         let rest = present(&[Self::UNIT_WEIGHT, Self::LATERAL_SHEAR_MODULUS], vec![unit_weight, lateral_shear_modulus]);
-        InvalidInput::check(strength.chain(laws).chain(rest))?;
+        let grains = present(&[Self::BULK_DENSITY, Self::GRAVITY, Self::GRANULAR_STIFFNESS], grains.to_vec());
+        InvalidInput::check(strength.chain(laws).chain(rest).chain(grains))?;
         let in_the_law = || {
             let parameters = params.pressure_sinkage.iter().flat_map(PressureSinkage::parameters);
             parameters.filter(|(parameter, _)| parameter.name == Self::UNIT_WEIGHT.name).map(|(_, value)| value).next()
         };
         Ok(Self {
             params,
-            tan_friction: params.friction_angle.tan(),
-            per_shear_scale: params.shear.map_or(f64::NAN, |law| 1.0 / law.scale()),
+            strength: Strength {
+                cohesion: params.cohesion,
+                tan_friction: params.friction_angle.tan(),
+                shear_scale: params.shear.map_or(f64::NAN, |law| law.scale()),
+                per_shear_scale: params.shear.map_or(f64::NAN, |law| 1.0 / law.scale()),
+            },
             unit_weight: params.unit_weight.or_else(in_the_law),
-            gravity: None,
+            measured_gravity: params.gravity,
             largest_fitted_slip: None,
         })
     }
 
-    /// The same soil, marked as one that lies in this gravity (m/s²). No force depends on it, as the weight of the wheel is
-    /// given; results in a low one carry a [`crate::Caution`].
+    /// Gravity (m/s²) in which the soil was measured, if it is known: the one that it was made with, wherever it was taken since.
     #[must_use]
-    pub fn in_gravity(self, gravity: f64) -> Self {
-        Self { gravity: Some(gravity), ..self }
+    pub fn measured_gravity(&self) -> Option<f64> {
+        self.measured_gravity
     }
 
-    /// Gravity where the soil lies (m/s²), if it is known.
-    #[must_use]
-    pub fn gravity(&self) -> Option<f64> {
-        self.gravity
+    /// The same soil with what is remembered of another's measurement.
+    pub(crate) fn marked_as(self, other: &Self) -> Self {
+        let Self { measured_gravity, largest_fitted_slip, .. } = *other;
+        Self { measured_gravity, largest_fitted_slip, ..self }
     }
 
     /// The same soil, marked as one whose gain of the sinkage exponent was fitted to tests up to this slip (–). No force
@@ -190,7 +206,7 @@ impl Soil {
     /// tan φ (–).
     #[must_use]
     pub fn tan_friction(&self) -> f64 {
-        self.tan_friction
+        self.strength.tan_friction
     }
 
     /// Pressure–sinkage law, where one is known.
@@ -214,10 +230,10 @@ impl Soil {
         self.params.shear.as_ref().ok_or(Error::MissingLaw(SoilLaw::Shear))
     }
 
-    /// Unit weight γ (N/m³), if known: the soil's own, else the one in Reece's law.
+    /// Unit weight γ (N/m³), if known: the soil's own, else the one in Reece's law, else ρ g.
     #[must_use]
     pub fn unit_weight(&self) -> Option<f64> {
-        self.unit_weight
+        self.unit_weight.or_else(|| Some(self.params.bulk_density? * self.gravity_or_standard()))
     }
 
     /// Shear deformation modulus across the direction of travel (m): its own, else the displacement by which the shear law
@@ -227,26 +243,42 @@ impl Soil {
         self.params.lateral_shear_modulus.or(self.params.shear.map(|law| law.scale()))
     }
 
-    /// Reciprocal of the displacement by which the shear law scales along the wheel (1/m); NaN without a law.
+    /// What shears within the soil.
     #[inline]
-    pub(crate) fn per_shear_scale(&self) -> f64 {
-        self.per_shear_scale
+    pub(crate) fn strength(&self) -> Strength {
+        self.strength
     }
 }
 
 impl SoilParams {
+    /// A soil without strength, of which nothing else is known: what a literal of the others leaves out.
+    pub const BARE: Self = Self {
+        cohesion: 0.0,
+        friction_angle: 0.0,
+        shear: None,
+        pressure_sinkage: None,
+        unit_weight: None,
+        lateral_shear_modulus: None,
+        bulk_density: None,
+        gravity: None,
+        granular_stiffness: None,
+    };
+
     /// The values of [`Soil::PARAMETERS`].
     #[must_use]
-    pub fn values(&self) -> [Option<f64>; 4] {
-        [Some(self.cohesion), Some(self.friction_angle), self.lateral_shear_modulus, self.unit_weight]
+    pub fn values(&self) -> [Option<f64>; 7] {
+        let Self { cohesion, friction_angle, lateral_shear_modulus, unit_weight, .. } = *self;
+        let Self { bulk_density, gravity, granular_stiffness, .. } = *self;
+        [Some(cohesion), Some(friction_angle), lateral_shear_modulus, unit_weight, bulk_density, gravity, granular_stiffness]
     }
 
     /// A soil without laws from the values of [`Soil::PARAMETERS`]; none where a required one is absent.
     #[must_use]
-    pub fn from_values(values: [Option<f64>; 4]) -> Option<Self> {
-        let [cohesion, friction_angle, lateral_shear_modulus, unit_weight] = values;
+    pub fn from_values(values: [Option<f64>; 7]) -> Option<Self> {
+        let [cohesion, friction_angle, lateral_shear_modulus, unit_weight, bulk_density, gravity, granular_stiffness] = values;
         let (cohesion, friction_angle) = (cohesion?, friction_angle?);
-        Some(Self { cohesion, friction_angle, shear: None, pressure_sinkage: None, unit_weight, lateral_shear_modulus })
+        let weights = Self { unit_weight, bulk_density, gravity, granular_stiffness, ..Self::BARE };
+        Some(Self { cohesion, friction_angle, lateral_shear_modulus, ..weights })
     }
 }
 
@@ -262,8 +294,7 @@ mod tests {
         friction_angle: 0.5,
         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.01 })),
         pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: 0.0, k_phi: 1e6, exponent: EXPONENT })),
-        unit_weight: None,
-        lateral_shear_modulus: None,
+        ..SoilParams::BARE
     };
 
     fn soil(params: SoilParams) -> Soil {

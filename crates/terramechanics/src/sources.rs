@@ -213,6 +213,21 @@ pub(crate) const PAVLOV_JOHNSON: Source = Source {
            3d-terramechanics of Carnegie Mellon University.",
 };
 
+pub(crate) const LI_ZHANG_GOLDMAN: Source = Source {
+    number: 26,
+    short: "Li, Zhang & Goldman 2013",
+    text: "Li, C., Zhang, T., Goldman, D. I. (2013) A terradynamics of legged locomotion on granular media. Science 339, 1408; the \
+           coefficients of its table S2 were read in public implementations.",
+};
+
+pub(crate) const AGARWAL_GOLDMAN_KAMRIN: Source = Source {
+    number: 27,
+    short: "Agarwal, Goldman & Kamrin 2023",
+    text: "Agarwal, S., Goldman, D. I., Kamrin, K. (2023) Mechanistic framework for reduced-order models in soft materials: \
+           application to three-dimensional granular intrusion. Proceedings of the National Academy of Sciences 120, e2214017120; \
+           the polynomial of the stiffness is quoted, not read in the paper.",
+};
+
 /// Every work but the letter, by its number from 1.
 pub const SOURCES: &[Source] = &[
     AKIN,
@@ -240,6 +255,8 @@ pub const SOURCES: &[Source] = &[
     YOSHIDA,
     ISHIGAMI,
     PAVLOV_JOHNSON,
+    LI_ZHANG_GOLDMAN,
+    AGARWAL_GOLDMAN_KAMRIN,
 ];
 
 #[cfg(test)]

@@ -144,6 +144,17 @@ impl Wheel {
     /// ```
     #[must_use]
     pub fn shearing_radius(&self) -> f64 {
-        self.params.radius + self.params.lug_coefficient * self.params.lug_height // Eq. (9)
+        self.params.radius + self.shearing_offset() // Eq. (9)
+    }
+
+    /// r_s − r = λ_s h (m), with all its digits.
+    pub(crate) fn shearing_offset(&self) -> f64 {
+        self.params.lug_coefficient * self.params.lug_height
+    }
+
+    /// Radius of the lug tips, r + h (m).
+    #[must_use]
+    pub fn lug_tip_radius(&self) -> f64 {
+        self.params.radius + self.params.lug_height
     }
 }

@@ -11,8 +11,12 @@
 //! κ cos θ0 − 1 = κ m sin θ0 > 0 with m = tan(π/4 − φ/2), and turns only behind θ = −arccos(1 + s). The paper takes |j| and puts
 //! the signs into its integrals; with the signs of j the letter's integrals (10) are the paper's W, towing force and torque.
 //!
+//! Both are those of the circle on which the displacement is counted, with its r and κ; ahead they count from where that circle
+//! enters the soil, θ1' for θ1 (see `circles.rs`).
+//!
 //! On a locked wheel E is what an endless displacement leaves, + ahead and − behind.
 
+use crate::circles::Kinematics;
 use crate::numerics::circular::{ArcMeans, HalfArc};
 use crate::rim::RimPoint;
 use crate::rolling::Rolling;
@@ -22,23 +26,33 @@ use crate::rolling::Rolling;
 pub(crate) struct Zones {
     /// θ0 (rad).
     reversal: f64,
-    /// (θ1 − θ0)/2 (rad).
+    /// (θ1' − θ0)/2 (rad).
     half_front: f64,
+    /// (θ1' − θ1)/2 (rad): the circle of the displacement enters that much before the rim.
+    half_lead: f64,
     sin: f64,
     cos: f64,
 }
 
 impl Zones {
-    /// The zones of a contact that enters the soil at `entry` and parts at `reversal` (rad).
+    /// The zones of a contact that enters the soil at `entry` and parts at `reversal` (rad); the displacement is counted from `lead`
+    /// (rad) ahead of the entry.
     #[cold]
     #[inline(never)]
-    pub(crate) fn new(entry: f64, reversal: f64) -> Self {
-        Self { reversal, half_front: 0.5 * (entry - reversal), sin: reversal.sin(), cos: reversal.cos() }
+    pub(crate) fn new(entry: f64, lead: f64, reversal: f64) -> Self {
+        let half_front = 0.5 * (entry + lead - reversal);
+        Self { reversal, half_front, half_lead: 0.5 * lead, sin: reversal.sin(), cos: reversal.cos() }
+    }
+
+    /// Half of the arc (rad) of a place behind the entry of the circle of the displacement.
+    #[inline]
+    fn half_arc(&self, point: &RimPoint) -> f64 {
+        point.half_arc + self.half_lead
     }
 
     /// E (–) at a place of the rim on either side of θ0.
     pub(crate) fn mobilisation(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
-        if point.half_arc < self.half_front {
+        if self.half_arc(point) < self.half_front {
             self.mobilisation_ahead(rolling, point)
         } else {
             self.mobilisation_behind(rolling, point)
@@ -60,7 +74,7 @@ impl Zones {
     pub(crate) fn mobilisation_behind(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
         if !rolling.slip.is_locked() {
             rolling.mobilisation(self.displacement_behind(rolling, point))
-        } else if point.half_arc > self.half_front {
+        } else if self.half_arc(point) > self.half_front {
             -rolling.shear().residual()
         } else {
             0.0
@@ -69,9 +83,9 @@ impl Zones {
 
     /// j (m) at a place of the rim on a wheel that turns; without end on one that does not.
     pub(crate) fn displacement(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
-        let ahead = point.half_arc < self.half_front;
+        let ahead = self.half_arc(point) < self.half_front;
         if rolling.slip.is_locked() {
-            let behind = point.half_arc > self.half_front;
+            let behind = self.half_arc(point) > self.half_front;
             if ahead {
                 f64::INFINITY
             } else if behind {
@@ -92,26 +106,26 @@ impl Zones {
     /// (x + y)⁻¹ {2 sin θ [x sin² y + y sin² x] + cos θ [y (2x − sin 2x) − x (2y − sin 2y)]}: nothing large cancels.
     #[inline]
     fn displacement_ahead(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
-        let x = HalfArc::of(point.half_arc);
-        let (half_arc, rest) = (point.half_arc, self.half_front - point.half_arc);
+        let half_arc = self.half_arc(point);
+        let (x, rest) = (HalfArc::of(half_arc), self.half_front - half_arc);
         let y = HalfArc::of(rest);
         // 2x − sin 2x = 2 (x − sin x) + 2 sin x (1 − cos x).
         let double_excess = |arc: &HalfArc| 2.0 * (arc.excess + arc.sin * (arc.sin * arc.sin / (1.0 + arc.cos)));
         let rise = 2.0 * point.sin * (half_arc * y.sin * y.sin + rest * x.sin * x.sin);
         let tilt = point.cos * (rest * double_excess(&x) - half_arc * double_excess(&y));
-        rolling.velocity_ratio().0 * rolling.system.wheel.radius() * (rise + tilt) / self.half_front
+        rolling.kinematics.ratio * rolling.kinematics.radius * (rise + tilt) / self.half_front
     }
 
     /// j (m) behind θ0: that of a driving wheel whose contact begins at θ0.
     #[inline]
     fn displacement_behind(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
-        let (ratio, complement) = rolling.velocity_ratio();
-        let half_arc = point.half_arc - self.half_front;
+        let Kinematics { radius, ratio, complement, .. } = rolling.kinematics;
+        let half_arc = self.half_arc(point) - self.half_front;
         let HalfArc { sin, cos, excess } = HalfArc::of(half_arc);
         let sin_middle = self.sin * cos - self.cos * sin;
         let cos_middle = self.cos * cos + self.sin * sin;
         let one_minus_cos_middle = sin_middle * sin_middle / (1.0 + cos_middle);
-        2.0 * rolling.system.wheel.radius() * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle))
+        2.0 * radius * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle))
     }
 
     /// Arcs (rad) over which E changes behind the entry, ahead of θ0 and behind it: the displacement by which its law scales,
@@ -120,12 +134,11 @@ impl Zones {
         if rolling.slip.is_locked() {
             return [f64::INFINITY; 3];
         }
-        let (ratio, complement) = rolling.velocity_ratio();
-        let wheel = &rolling.system.wheel;
+        let Kinematics { radius, ratio, complement, .. } = rolling.kinematics;
         let chord = ArcMeans::over(self.reversal + self.half_front, self.half_front).one_minus_cos; // 1 − mean of cos
-        let at_entry = ratio * (sinkage / wheel.radius() - chord);
+        let at_entry = ratio * (sinkage / rolling.system.wheel.radius() - chord);
         let one_minus_cos = self.sin * self.sin / (1.0 + self.cos);
         let at_reversal = [ratio * (chord - one_minus_cos), complement + ratio * one_minus_cos];
-        [at_entry, at_reversal[0], at_reversal[1]].map(|growth| rolling.shear().scale() / (wheel.radius() * growth.abs()))
+        [at_entry, at_reversal[0], at_reversal[1]].map(|growth| rolling.strength.shear_scale / (radius * growth.abs()))
     }
 }

@@ -7,8 +7,9 @@ use proptest::prelude::*;
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_4;
 use terramechanics::{
-    Braking, Contact, Direct, Error, ForceModel, Forces, JanosiHanamoto, Method, Outcome, PeakDepth, PeakRule, PressureSinkage,
-    ShearLaw, SinkageExponent, SoilParams, StressProfile, WheelOnSoil, WheelParams, WongPeak, WongResidual, cautions,
+    Braking, Circles, Contact, Direct, Error, ForceModel, Forces, JanosiHanamoto, Method, Outcome, PeakDepth, PeakRule,
+    PressureSinkage, ShearLaw, SinkageExponent, SoilParams, StressProfile, WheelOnSoil, WheelParams, WongPeak, WongResidual,
+    cautions,
 };
 
 /// Some tens of roundings.
@@ -183,7 +184,14 @@ fn a_rule_for_the_peak_that_is_set_aside_is_said() {
         sinkage: terramechanics::Sinkage::Given(0.02),
     };
     let codes = |rule, braking, ratio: f64| {
-        let outcome = Outcome { slip: slip(ratio), sinkage: 0.02, normal: None, integration_error: 0.0, mobilised_share: None };
+        let outcome = Outcome {
+            slip: slip(ratio),
+            sinkage: 0.02,
+            normal: None,
+            standstill_normal: None,
+            integration_error: 0.0,
+            mobilised_share: None,
+        };
         let operation = operation(rule, braking);
         let codes = cautions(&operation, &outcome).map(|caution| caution.kind.code);
         codes.filter(|code| *code != "small_wheel").collect::<Vec<_>>()
@@ -271,10 +279,9 @@ prop_compose! {
                 friction_angle,
                 shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 10f64.powf(log_shear_modulus) })),
                 pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 10f64.powf(log_modulus), exponent })),
-                unit_weight: None,
-                lateral_shear_modulus: None,
+                ..SoilParams::BARE
             },
-            contact: contact(PeakRule::Midpoint, exit_ratio),
+            contact: contact(PeakRule::Midpoint, exit_ratio).with_circles(Circles::RIM), // as the paper has it
             depth_ratio: 10f64.powf(log_depth),
         }
     }

@@ -4,8 +4,8 @@ mod common;
 
 use common::{LETTER_SOIL, LETTER_WHEEL, contact, forces, letter, slip, system};
 use terramechanics::{
-    Angles, Contact, ForceModel, Forces, Lambda, Method, Operation, Outcome, PeakDepth, PeakRule, ShapeIntegrals, Sinkage,
-    SlipSinkage, StressProfile, WheelOnSoil, WheelParams, WongReece, cautions,
+    Angles, Circles, Contact, ForceModel, Forces, Lambda, Method, Operation, Outcome, PeakDepth, PeakRule, ShapeIntegrals,
+    Sinkage, SlipSinkage, StressProfile, WheelOnSoil, WheelParams, WongReece, cautions,
 };
 
 /// ∫ f over [from, to] by Simpson's rule, whose error here is far below the tolerances: an independent rule on purpose.
@@ -151,7 +151,7 @@ fn the_explicit_method_is_equations_15_to_17() {
     let (z, lambda_a, lambda_b) = (0.02_f64, 0.03, 0.01);
     let method =
         Method::Explicit { peak_depth: PeakDepth::Half, lambda_a: Lambda::Given(lambda_a), lambda_b: Lambda::Given(lambda_b) };
-    let computed = forces(&system(wheel, soil, Contact::MIDPOINT), 0.3, z, method);
+    let computed = forces(&system(wheel, soil, Contact::MIDPOINT.with_circles(Circles::RIM)), 0.3, z, method);
     let (r, b, r_s) = (0.2_f64, 0.1, 0.206);
     let (k_s, n, c, tan_phi) = (-660.0 / b + 754_130.0, 0.91, 300.0, 0.478_f64.tan());
     let theta_1 = (1.0 - z / r).acos();
@@ -198,7 +198,14 @@ fn a_wheel_of_unknown_lug_height_has_the_same_forces_and_says_so() {
     let unknown = WheelOnSoil { wheel: known.wheel.with_unknown_lug_height(), ..known };
     let codes = |system: WheelOnSoil| {
         let operation = Operation { system, model: ForceModel::at_rim(Method::Quadrature), sinkage: Sinkage::Given(0.02) };
-        let outcome = Outcome { slip: slip(0.2), sinkage: 0.02, normal: None, integration_error: 0.0, mobilised_share: None };
+        let outcome = Outcome {
+            slip: slip(0.2),
+            sinkage: 0.02,
+            normal: None,
+            standstill_normal: None,
+            integration_error: 0.0,
+            mobilised_share: None,
+        };
         cautions(&operation, &outcome).map(|caution| caution.kind.code).collect::<Vec<_>>()
     };
     assert_eq!(forces(&known, 0.2, 0.02, Method::Quadrature), forces(&unknown, 0.2, 0.02, Method::Quadrature));

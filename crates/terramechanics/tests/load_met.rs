@@ -34,8 +34,7 @@ fn systems() -> impl Strategy<Value = WheelOnSoil> {
             friction_angle,
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
             pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         };
         let wheel = WheelParams { radius, width, lug_height: 0.0, lug_coefficient: 0.5 };
         let found = system(wheel, soil, contact(rule, exit));
@@ -75,8 +74,7 @@ fn a_load_beyond_the_digits_of_its_parts_is_refused() {
         friction_angle: 1.503_178_367_540_06,
         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 2.982_242_231_853_259_6e-6 })),
         pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 169_820.135_296_161_04, exponent })),
-        unit_weight: None,
-        lateral_shear_modulus: None,
+        ..SoilParams::BARE
     };
     let found = system(wheel, soil, contact(PeakRule::Midpoint, -0.423_786_163_305_589_66));
     let two_zones = WheelOnSoil { contact: found.contact.with_braking(Braking::TwoZone), ..found };

@@ -64,7 +64,7 @@ prop_compose! {
         let exponent = SinkageExponent { base: least_exponent + slip_gain, slip_gain, skid_gain: None }; // N > 0 down to s = −1
         let pressure_sinkage = PressureSinkage::Direct(Direct { k_s: 10f64.powf(log_modulus), exponent });
         let shear = ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 10f64.powf(log_shear_modulus) });
-        SoilParams { cohesion, friction_angle, shear: Some(shear), pressure_sinkage: Some(pressure_sinkage), unit_weight: None, lateral_shear_modulus: None }
+        SoilParams { cohesion, friction_angle, shear: Some(shear), pressure_sinkage: Some(pressure_sinkage), ..SoilParams::BARE }
     }
 }
 

@@ -4,9 +4,9 @@ mod common;
 
 use common::{LETTER_LAW, LETTER_SOIL, LETTER_WHEEL, contact, letter, slip, system};
 use terramechanics::{
-    Bekker, Contact, ContactParams, Direct, Error, ForceModel, InvalidInput, JanosiHanamoto, Lambda, Method, Operation,
-    Parameter, PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SlipSweep, Soil, SoilParams,
-    Wheel, WheelOnSoil, WheelParams, WongPeak, WongReece, WongResidual,
+    AngleRatio, Bekker, Contact, ContactParams, Direct, Error, ExitRule, ForceModel, InvalidInput, JanosiHanamoto, Lambda,
+    Method, Operation, Parameter, PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent, SinkageRatio, Slip,
+    SlipSweep, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongPeak, WongReece, WongResidual,
 };
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -135,8 +135,12 @@ fn a_peak_outside_the_contact() {
         let rolling = system.rolling(slip(0.3)).expect("a rolling wheel");
         assert!(matches!(rolling.contact(0.02), Err(Error::PeakOutsideContact { .. })), "{rule:?}");
     }
-    for exit_ratio in [-1.0 - 1e-9, 1.0].into_iter().chain(NOT_FINITE) {
-        assert_eq!(at_fault(Contact::new(ContactParams { rule: PeakRule::Midpoint, exit_ratio })), [Contact::EXIT_RATIO]);
+    let at_fault_with = |exit| at_fault(Contact::new(ContactParams { exit, ..ContactParams::MIDPOINT }));
+    for c3 in [-1.2 - 1e-9, 1.0].into_iter().chain(NOT_FINITE) {
+        assert_eq!(at_fault_with(ExitRule::AngleRatio(AngleRatio { c3 })), [AngleRatio::C3]);
+    }
+    for ratio in [-1e-9, 1.2 + 1e-9].into_iter().chain(NOT_FINITE) {
+        assert_eq!(at_fault_with(ExitRule::SinkageRatio(SinkageRatio { ratio })), [SinkageRatio::RATIO]);
     }
 }
 
@@ -212,8 +216,7 @@ fn the_largest_load_of_a_locked_wheel_is_the_largest_and_all_below_it_are_carrie
                 k_s: 1e6,
                 exponent: SinkageExponent { base: 1.0, slip_gain: 0.0, skid_gain: None },
             })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         })
         .expect("a soil"),
         ..letter()

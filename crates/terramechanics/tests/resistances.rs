@@ -23,7 +23,7 @@ const LUNAR_SOIL: SoilParams = SoilParams {
     shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.0178 })),
     pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: 1400.0, k_phi: 820_000.0, exponent: exponent(1.0) })),
     unit_weight: Some(2472.0),
-    lateral_shear_modulus: None,
+    ..SoilParams::BARE
 };
 const LUNAR_LOAD: f64 = 259.0;
 

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{LETTER_SOIL, LETTER_WHEEL, SIDE_FORCE_CASES, cases, contact, model_of, slip, system, system_of};
+use common::{CIRCLES, LETTER_SOIL, LETTER_WHEEL, SIDE_FORCE_CASES, cases, contact, model_of, slip, system, system_of};
 use proptest::prelude::*;
 use serde_json::Value;
 use terramechanics::{
@@ -40,9 +40,10 @@ fn on(soil: SoilParams, ratio: f64, beta: f64, coupling: ShearCoupling) -> (Forc
 }
 
 #[test]
-fn eighteen_cases_agree_with_sixty_digits() {
-    let cases = cases(SIDE_FORCE_CASES);
-    assert_eq!(cases.len(), 18);
+fn eighteen_cases_and_five_with_lugs_on_other_circles_agree_with_sixty_digits() {
+    let lugged = cases(CIRCLES).into_iter().filter(|case| case["input"].get("slip_angle_rad").is_some());
+    let cases: Vec<Value> = cases(SIDE_FORCE_CASES).into_iter().chain(lugged).collect();
+    assert_eq!(cases.len(), 18 + 5);
     for case in &cases {
         let (input, name) = (&case["input"], &case["name"]);
         let number = |value: &Value| value.as_f64().expect("a number");

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use terramechanics::{
-    Braking, Contact, Error, ForceModel, Law, Method, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw, SlipSinkage,
-    Soil, SoilLaw, SoilParams, Thresholds, Wheel, WheelOnSoil, WheelParams,
+    Braking, Contact, Error, ExitRule, ForceModel, Interface, Law, Method, Parameter, Parametrised, PeakRule, PressureSinkage,
+    ShearLaw, SlipSinkage, Soil, SoilLaw, SoilParams, Thresholds, Wheel, WheelOnSoil, WheelParams,
 };
 
 /// A value that a reader takes and that differs for each place of a table.
@@ -47,6 +47,8 @@ fn declared(parameters: &[Parameter]) {
             "rad" => "_rad",
             "Pa" => "_pa",
             "N/m3" => "_n_m3",
+            "kg/m3" => "_kg_m3",
+            "m/s2" => "_m_s2",
             "s" => "_s",
             "N" => "_n",
             "N.m" => "_n_m",
@@ -64,6 +66,7 @@ fn every_law_is_made_of_its_table_and_gives_its_values_back() {
     come_back(ShearLaw::LAWS, |law| (law.law().name, law.values()));
     come_back(SlipSinkage::LAWS, |law| (law.law().name, law.values()));
     come_back(PeakRule::LAWS, |law| (law.law().name, law.values()));
+    come_back(ExitRule::LAWS, |law| (law.law().name, law.values()));
     come_back(Braking::LAWS, |law| (law.law().name, law.values()));
 }
 
@@ -72,7 +75,7 @@ fn what_has_no_law_is_declared_as_well() {
     for parameters in [
         WheelParams::PARAMETERS,
         Soil::PARAMETERS,
-        Contact::PARAMETERS,
+        Interface::PARAMETERS,
         Thresholds::PARAMETERS,
         WheelOnSoil::PARAMETERS,
         terramechanics::Velocities::PARAMETERS,
@@ -83,7 +86,7 @@ fn what_has_no_law_is_declared_as_well() {
     }
     let wheel = [Some(0.2), Some(0.1), Some(0.01), Some(0.4)];
     assert_eq!(WheelParams::from_values(&wheel).expect("a wheel").values(), wheel);
-    let soil = [Some(100.0), Some(0.5), None, Some(1.5e4)];
+    let soil = [Some(100.0), Some(0.5), None, Some(1.5e4), Some(1600.0), Some(3.7), Some(1e6)];
     assert_eq!(SoilParams::from_values(soil).expect("a soil").values(), soil);
 }
 
@@ -102,7 +105,7 @@ fn laws_that_share_a_name_share_its_bounds() {
 /// Without a law, what needs it says which; what does not need it gives the same answer.
 #[test]
 fn a_law_that_is_missing_is_named_by_what_needs_it() {
-    let strength = SoilParams::from_values([Some(500.0), Some(0.6), None, Some(1.5e4)]).expect("a soil");
+    let strength = SoilParams { cohesion: 500.0, friction_angle: 0.6, unit_weight: Some(1.5e4), ..SoilParams::BARE };
     let shear = ShearLaw::named("janosi_hanamoto").expect("a law").from_values(&[Some(0.02)]).expect("with a modulus");
     let values = [Some(0.0), Some(1e6), Some(1.0), Some(0.0), None];
     let pressure = PressureSinkage::named("bekker").expect("a law").from_values(&values).expect("with moduli");

@@ -5,7 +5,7 @@ mod common;
 use common::letter;
 use terramechanics::{
     Channel, Error, EventKind, ForceModel, LinearSlipSinkage, Measured, Method, Motion, Operation, Parameter, Sample,
-    SampleMotion, Sinkage, SlipSinkage, Status, Thresholds, TrackRow, Tracker, Velocities,
+    SampleMotion, Sinkage, SlipRadius, SlipSinkage, Status, Thresholds, TrackRow, Tracker, Velocities,
 };
 
 /// Rounding of a sum of a few hundred products.
@@ -44,7 +44,7 @@ fn a_row_is_the_operating_point_of_its_sample() {
         for (i, forward) in [0.2, 0.15, 0.05, 0.21, 0.3].into_iter().enumerate() {
             let velocities = Velocities { forward, angular: 1.0 };
             let row = tracker.push(&moving(i as f64, forward, 1.0));
-            let motion = Motion::of(&letter().wheel, velocities).expect("a motion");
+            let motion = Motion::of(&letter().wheel, SlipRadius::Rim, velocities).expect("a motion");
             let point = operation(method).at(motion.slip).expect("a solution");
             assert_eq!(
                 (row.sinkage, row.longitudinal, row.torque),
@@ -209,7 +209,7 @@ fn a_stall_lasts_its_time_and_is_told_with_both_ends() {
 #[test]
 fn a_wheel_beyond_half_its_radius_or_beyond_its_axle_is_entrapped() {
     let at = |time: f64, sinkage: Sinkage| Sample { sinkage, ..slipping(time, 0.2) };
-    let linear = SlipSinkage::Linear(LinearSlipSinkage { gain: 100.0 });
+    let linear = SlipSinkage::Linear(LinearSlipSinkage { gain: 100.0, skid_gain: None });
     let mut tracker = tracker(Method::EXPLICIT);
     tracker.push(&at(0.0, Sinkage::Given(0.1))); // just half of 0.2 m
     tracker.push(&at(1.0, Sinkage::Given(0.11)));

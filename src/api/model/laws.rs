@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use terramechanics::{
-    Braking, Contact, Fittable, JanosiHanamoto, Law, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw, SlipSinkage,
-    Soil, WheelParams,
+    AngleRatio, Braking, Fittable, JanosiHanamoto, Law, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw,
+    SlipSinkage, Soil, WheelParams,
 };
 use utoipa::ToSchema;
 
@@ -103,7 +103,7 @@ pub(super) fn families() -> Vec<LawFamily> {
     vec![
         family("/soil/pressure_sinkage", Some("law"), PressureSinkage::LAWS, &[]),
         family("/soil/shear", Some("law"), ShearLaw::LAWS, &[]),
-        family("/contact", Some("rule"), PeakRule::LAWS, Contact::PARAMETERS),
+        family("/contact", Some("rule"), PeakRule::LAWS, AngleRatio::PARAMETERS),
         family("/slip_sinkage", Some("law"), SlipSinkage::LAWS, &[]),
         family("/braking", None, Braking::LAWS, &[]),
     ]

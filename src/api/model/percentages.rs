@@ -26,7 +26,7 @@ fn soil(record: &SoilRecord) -> Soil {
 /// Relative differences of F_z between a closed form and the quadrature, over slips and depths that are shares of the radius;
 /// points without an answer are left out.
 fn gaps(systems: &[(Wheel, Soil)], rule: PeakRule, method: Method, depths: &[f64]) -> Vec<f64> {
-    let contact = Contact::new(ContactParams { rule, exit_ratio: 0.0 }).expect("a contact");
+    let contact = Contact::new(ContactParams { rule, ..ContactParams::MIDPOINT }).expect("a contact");
     let mut found = Vec::new();
     for (wheel, soil) in systems {
         let system = WheelOnSoil { wheel: *wheel, soil: *soil, contact };

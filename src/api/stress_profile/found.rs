@@ -41,6 +41,7 @@ fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
         normal: solved.map(|forces| forces.normal),
         integration_error: solved.map_or(0.0, |forces| forces.integration_error),
         mobilised_share: None,
+        standstill_normal: None,
     };
     let mut warnings = of_point(cautions(operation, &outcome), &operation.system, motion.heading);
     if parted {

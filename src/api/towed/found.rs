@@ -24,6 +24,7 @@ pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTo
         normal: Some(towed.forces.normal),
         integration_error: towed.forces.integration_error,
         mobilised_share: None,
+        standstill_normal: None,
     };
     let warnings = of_point(cautions(operation, &outcome), &operation.system, Heading::Forward);
     Ok(FoundTowed { towed, warnings })

@@ -20,10 +20,9 @@ fn setup(method: Method) -> Setup {
             friction_angle: 0.55,
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 })),
             pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 9e5, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         },
-        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), exit_ratio: 0.0 },
+        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), ..ContactParams::MIDPOINT },
         model: ForceModel::at_rim(method),
         sinkage: SinkageSource::Load,
     }

@@ -2,8 +2,8 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use terramechanics::{
-    ContactParams, Direct, ForceModel, JanosiHanamoto, Method, OperatingPoint, Operation, PeakRule, PressureSinkage, ShearLaw,
-    Sinkage, SinkageExponent, Slip, SoilParams, Wheel, WheelParams, WongReece,
+    Circles, ContactParams, Direct, ForceModel, JanosiHanamoto, Method, OperatingPoint, Operation, PeakRule, PressureSinkage,
+    ShearLaw, Sinkage, SinkageExponent, Slip, SoilParams, Wheel, WheelParams, WongReece,
 };
 use terramechanics_identification::{Column, Observations, Setup, SinkageSource, Sought, Unknown};
 
@@ -17,10 +17,13 @@ pub(crate) fn truth(method: Method, sinkage: SinkageSource) -> Setup {
             friction_angle: 0.55,
             shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 })),
             pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 9e5, exponent })),
-            unit_weight: None,
-            lateral_shear_modulus: None,
+            ..SoilParams::BARE
         },
-        contact: ContactParams { rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }), exit_ratio: 0.0 },
+        contact: ContactParams {
+            rule: PeakRule::WongReece(WongReece { c1: 0.45, c2: 0.1 }),
+            circles: Circles::RIM,
+            ..ContactParams::MIDPOINT
+        },
         model: ForceModel::at_rim(method),
         sinkage,
     }

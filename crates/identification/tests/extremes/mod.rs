@@ -116,10 +116,9 @@ impl<'a> Draw<'a> {
                 friction_angle: 1.5 * self.share(),
                 shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: self.mostly_plain() })),
                 pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 1e3 * self.mostly_plain(), exponent })),
-                unit_weight: None,
-                lateral_shear_modulus: None,
+                ..SoilParams::BARE
             },
-            contact: ContactParams { rule, exit_ratio: 0.0 },
+            contact: ContactParams { rule, ..ContactParams::MIDPOINT },
             model: ForceModel::at_rim(method),
             sinkage,
         }

@@ -10,7 +10,6 @@ pub use one_zone::OneZone;
 pub use two_zone::TwoZone;
 
 use crate::law::family;
-use crate::slip::Slip;
 
 family! {
     /// A law for the shear displacement under a braking wheel.
@@ -22,6 +21,7 @@ family! {
         TwoZone,
     }
 
-    /// Angle θ0 (rad) that parts the zones on a soil with this tan φ (–), if the law has two of them at `slip`.
-    pub(crate) fn reversal(&self, slip: Slip, tan_friction: f64) -> Option<f64>;
+    /// Angle θ0 (rad) that parts the zones on a soil with this tan φ (–), if the law has two of them where the circle of the
+    /// displacement has this `skid` 1 − 1/κ (–), which is −s of a braking wheel whose slip is counted on it.
+    pub(crate) fn reversal(&self, skid: f64, tan_friction: f64) -> Option<f64>;
 }

@@ -6,7 +6,6 @@
 
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised};
-use crate::slip::Slip;
 use crate::sources::{Citation, LETTER};
 
 /// One zone, as under a driving wheel.
@@ -15,7 +14,7 @@ pub struct OneZone;
 
 impl OneZone {
     #[inline]
-    pub(super) fn reversal(&self, _slip: Slip, _tan_friction: f64) -> Option<f64> {
+    pub(super) fn reversal(&self, _skid: f64, _tan_friction: f64) -> Option<f64> {
         None
     }
 }

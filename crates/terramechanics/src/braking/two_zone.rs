@@ -13,6 +13,9 @@
 //! implementation quotes it (Madsen 2013). What was derived and checked: with m = tan(π/4 − φ/2) it has the closed form
 //! θ0 = arccos((1 + s) cos β) − β, β = π/4 − φ/2, which rises from 0 at s = 0 to π/4 + φ/2 on the locked wheel.
 //!
+//! On a wheel with lugs the soil is sheared on the circle of the displacement, so 1 + s is that circle's 1/κ (`circles.rs`): a wheel
+//! whose rim skids a little and whose shearing circle does not has one zone.
+//!
 //! Units: angles in rad, s has none. Validity: θ2 < θ0 < θ1. A wheel that brakes harder than its sinkage allows is refused: the
 //! peak of σ would be at the entry, and σ vanishes as θ0 nears θ1. θ0 does not depend on the sinkage, so the least sinkage
 //! grows with skid: the wheel digs itself in. As s → 0 the largest stress moves to the lowest point and all shear points
@@ -22,7 +25,6 @@
 
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised};
-use crate::slip::Slip;
 use crate::sources::{Citation, WONG_REECE_TOWED};
 
 /// Two zones, which part at θ0.
@@ -30,10 +32,10 @@ use crate::sources::{Citation, WONG_REECE_TOWED};
 pub struct TwoZone;
 
 impl TwoZone {
-    /// θ0 of a braking wheel.
+    /// θ0 of a wheel that skids.
     #[inline]
-    pub(super) fn reversal(&self, slip: Slip, tan_friction: f64) -> Option<f64> {
-        if slip.is_driving() { None } else { Some(reversal(slip, tan_friction)) }
+    pub(super) fn reversal(&self, skid: f64, tan_friction: f64) -> Option<f64> {
+        if skid > 0.0 { Some(reversal(skid, tan_friction)) } else { None }
     }
 }
 
@@ -56,13 +58,12 @@ impl Declared for TwoZone {
     const SOURCES: &'static [Citation] = &[WONG_REECE_TOWED.cited()];
 }
 
-/// θ0 (rad) of a wheel at s < 0.
+/// θ0 (rad) at a skid −s above 0.
 ///
 /// With t = tan(θ0/2) the condition is (2 + s) t² + 2 m t + s = 0, whose positive root has no cancellation.
 #[cold]
 #[inline(never)]
-fn reversal(slip: Slip, tan_friction: f64) -> f64 {
-    let skid = -slip.ratio();
+fn reversal(skid: f64, tan_friction: f64) -> f64 {
     let m = 1.0 / (tan_friction + tan_friction.hypot(1.0)); // tan(π/4 − φ/2)
     2.0 * (skid / (m + (m * m + skid * (2.0 - skid)).sqrt())).atan()
 }

@@ -3,9 +3,26 @@
 //! A caution changes no number. It is data: the quantity, its value, the range, the source of the range, and what to do. Whoever
 //! shows it makes the sentence. [`Caution::KINDS`] lists every kind, so a service can tell its users what it watches.
 
-mod kinds;
+/// Declares kinds and lists them, so that none is left out of the list; those of one law alone stand with the law.
+macro_rules! kinds {
+    ($($name:ident $(= $kind:expr)?;)+) => {
+        $($(pub(crate) static $name: CautionKind = $kind;)?)+
 
+        /// The kinds of this file.
+        pub(super) const KINDS: &[&CautionKind] = &[$(&$name),+];
+    };
+}
+
+mod grain_kinds;
+mod kinds;
+mod list;
+mod load_kinds;
+mod slip_kinds;
+
+pub(crate) use grain_kinds::*;
 pub(crate) use kinds::*;
+pub(crate) use load_kinds::*;
+pub(crate) use slip_kinds::*;
 
 use crate::parameter::Parameter;
 

@@ -2,19 +2,24 @@
 //!
 //! Departure: Eq. (13) as printed halves the entry angle; Eq. (3) at θ = 0 gives θ1 = arccos(1 − z/r) (erratum 7).
 
+mod exit;
 mod half_sinkage;
+mod interface;
 mod midpoint;
 mod wong_reece;
 
+pub use exit::{AngleRatio, ExitRule, SinkageRatio};
 pub use half_sinkage::HalfSinkage;
+pub use interface::Interface;
 pub use midpoint::Midpoint;
 pub use wong_reece::WongReece;
 
 use crate::braking::Braking;
+use crate::circles::Circles;
 use crate::error::Error;
 use crate::fault::InvalidInput;
 use crate::law::family;
-use crate::parameter::{Parameter, Presence, Requirement};
+use crate::parameter::{Parametrised, present};
 use crate::slip::Slip;
 
 family! {
@@ -49,8 +54,19 @@ struct ContactArc {
 pub struct ContactParams {
     /// Rule for the angle of maximum stress.
     pub rule: PeakRule,
-    /// c3 in θ2 = c3 θ1 (–), from −1 up to 1; negative where the soil rebounds behind the lowest point.
-    pub exit_ratio: f64,
+    /// Rule for the exit angle.
+    pub exit: ExitRule,
+    /// The circles on which displacement and slip are counted.
+    pub circles: Circles,
+    /// What the rim has in place of the soil's strength, where it was measured.
+    pub interface: Option<Interface>,
+}
+
+impl ContactParams {
+    /// Peak at the midpoint, exit at the lowest point, the displacement counted where the stress acts and the slip on the rim, the
+    /// strength of the soil.
+    pub const MIDPOINT: Self =
+        Self { rule: PeakRule::Midpoint, exit: ExitRule::LOWEST_POINT, circles: Circles::SHEARING, interface: None };
 }
 
 /// How the contact is placed on the rim.
@@ -73,30 +89,15 @@ pub struct Angles {
 
 impl Contact {
     /// Peak at the midpoint, exit at the lowest point.
-    pub const MIDPOINT: Self =
-        Self { params: ContactParams { rule: PeakRule::Midpoint, exit_ratio: 0.0 }, braking: Braking::OneZone };
-
-    /// c3.
-    pub const EXIT_RATIO: Parameter = Parameter {
-        name: "c3",
-        symbol: "c3",
-        unit: "1",
-        meaning: "Exit angle over the entry angle; negative where the contact reaches behind the lowest point.",
-        requirement: Requirement::FromUpTo { min: -1.0, limit: 1.0 },
-        least: -1.0,
-        most: 0.6,
-        presence: Presence::Default(0.0),
-    };
-
-    /// What a contact has besides the parameters of its rule.
-    pub const PARAMETERS: &'static [Parameter] = &[Self::EXIT_RATIO];
+    pub const MIDPOINT: Self = Self { params: ContactParams::MIDPOINT, braking: Braking::OneZone };
 
     /// Checks the parameters. A braking wheel has one zone, see [`Contact::with_braking`].
     ///
     /// # Errors
-    /// Every parameter that is not finite, and an exit ratio outside [−1, 1).
+    /// Every parameter that is not finite or outside its range.
     pub fn new(params: ContactParams) -> Result<Self, InvalidInput> {
-        InvalidInput::check(params.rule.parameters().chain([(&Self::EXIT_RATIO, params.exit_ratio)]))?;
+        let interface = params.interface.iter().flat_map(|interface| present(Interface::PARAMETERS, interface.values()));
+        InvalidInput::check(params.rule.parameters().chain(params.exit.parameters()).chain(interface))?;
         Ok(Self { params, braking: Braking::OneZone })
     }
 
@@ -111,6 +112,18 @@ impl Contact {
     #[must_use]
     pub fn with_braking(self, braking: Braking) -> Self {
         Self { braking, ..self }
+    }
+
+    /// The same contact with displacement and slip counted on other circles.
+    #[must_use]
+    pub fn with_circles(self, circles: Circles) -> Self {
+        Self { params: ContactParams { circles, ..self.params }, ..self }
+    }
+
+    /// The circles on which displacement and slip are counted.
+    #[must_use]
+    pub fn circles(&self) -> Circles {
+        self.params.circles
     }
 
     /// Law for a braking wheel.
@@ -138,7 +151,7 @@ impl Contact {
     /// ```
     pub fn angles(&self, depth_ratio: f64, slip: Slip) -> Result<Angles, Error> {
         let entry = angle_at_depth(depth_ratio); // Eq. (13), corrected
-        let exit = self.params.exit_ratio * entry;
+        let exit = self.params.exit.exit(entry, depth_ratio);
         let peak = self.params.rule.peak(&ContactArc { entry, exit, depth_ratio, slip });
         if exit < peak && peak < entry {
             Ok(Angles { entry, peak, exit })
@@ -155,7 +168,7 @@ impl Contact {
     #[inline(never)]
     pub(crate) fn angles_parted_at(&self, reversal: f64, depth_ratio: f64) -> Result<Angles, Error> {
         let entry = angle_at_depth(depth_ratio);
-        let exit = self.params.exit_ratio * entry;
+        let exit = self.params.exit.exit(entry, depth_ratio);
         if exit < reversal && reversal < entry {
             Ok(Angles { entry, peak: reversal, exit })
         } else {
@@ -167,11 +180,9 @@ impl Contact {
     /// contact enters there, and where it leaves there if it leaves ahead of the lowest point.
     pub(crate) fn sinkages_parted_at(&self, reversal: f64, radius: f64) -> (f64, f64) {
         let depth_at = |angle: f64| 2.0 * radius * (0.5 * angle).sin().powi(2);
-        let entry_at_most = reversal / self.params.exit_ratio;
-        let deepest = if entry_at_most > 0.0 && entry_at_most < std::f64::consts::FRAC_PI_2 {
-            depth_at(entry_at_most) * (1.0 - INSIDE)
-        } else {
-            radius
+        let deepest = match self.params.exit.entry_of(reversal) {
+            Some(entry) if entry < std::f64::consts::FRAC_PI_2 => depth_at(entry) * (1.0 - INSIDE),
+            _ => radius,
         };
         (depth_at(reversal), deepest)
     }

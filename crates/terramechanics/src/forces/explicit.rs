@@ -6,9 +6,9 @@
 //! |---|---|
 //! | (14a) A = (1 − λ_A) √(z/(2r)) | [`approximate_shape`] |
 //! | (14b) B = (1 + λ_B) z/(2r), with r for the printed π (erratum 8) | [`approximate_shape`] |
-//! | (15) F_x = −(1 + λ_B) b K_s (z/2)^(N+1) + (r_s/√r) (1 − λ_A) b E [K_s tan φ (z/2)^(N+1/2) + c (z/2)^(1/2)] | [`forces`] |
-//! | (16) F_z = √r (1 − λ_A) b K_s (z/2)^(N+1/2) + (r_s/r) (1 + λ_B) b E [K_s tan φ (z/2)^(N+1) + c (z/2)] | [`forces`] |
-//! | (17) T = (r_s²/2) b E θ1 [c + (z/2)^N K_s tan φ] | [`forces`] |
+//! | (15) F_x = −(1 + λ_B) b K_s (z/2)^(N+1) + (r_s/√r) (1 − λ_A) b E [K_s tan φ (z/2)^(N+1/2) + c (z/2)^(1/2)] | [`ClosedForm::forces`](super::ClosedForm::forces) |
+//! | (16) F_z = √r (1 − λ_A) b K_s (z/2)^(N+1/2) + (r_s/r) (1 + λ_B) b E [K_s tan φ (z/2)^(N+1) + c (z/2)] | [`ClosedForm::forces`](super::ClosedForm::forces) |
+//! | (17) T = (r_s²/2) b E θ1 [c + (z/2)^N K_s tan φ] | [`ClosedForm::forces`](super::ClosedForm::forces) |
 //!
 //! Eqs. (15) and (16) are A Y − B X and A X + B Y of Eq. (11), with X = r b σm, Y = r_s b τm, A and B from (14) and z_m = z/2
 //! from (8). They are computed in that form, which also gives the four parts of the forces. A test compares the result with the
@@ -23,33 +23,20 @@
 //! z/r), which (13) halves (erratum 7). Options: the normal stress at r_s (erratum 3), the geometric depth under the peak, and
 //! λ_A and λ_B computed so that (14) is exact.
 
-use super::linearised::closed_form;
-use super::{ForceModel, Forces, Lambda, PeakDepth, ShapeIntegrals};
+use super::{Lambda, ShapeIntegrals};
 use crate::patch::ContactPatch;
-use crate::stress::StressField;
-
-/// Options of the explicit method.
-pub(super) struct Options {
-    pub(super) peak_depth: PeakDepth,
-    pub(super) lambda_a: Lambda,
-    pub(super) lambda_b: Lambda,
-}
-
-/// The forces by Eqs. (15), (16) and (17).
-pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>, options: &Options) -> Forces {
-    closed_form(model, stresses, options.peak_depth, &approximate_shape(stresses.patch, options))
-}
 
 /// A and B by Eq. (14); where λ is exact, that is what Eq. (12) gives.
-fn approximate_shape(patch: &ContactPatch<'_>, options: &Options) -> ShapeIntegrals {
+#[inline]
+pub(super) fn approximate_shape(patch: &ContactPatch<'_>, lambda_a: Lambda, lambda_b: Lambda) -> ShapeIntegrals {
     let half_depth_ratio = 0.5 * patch.sinkage / patch.rolling.system.wheel.radius(); // z/(2r)
     let exact = || ShapeIntegrals::of(&patch.angles);
     ShapeIntegrals {
-        a: match options.lambda_a {
+        a: match lambda_a {
             Lambda::Given(lambda) => (1.0 - lambda) * half_depth_ratio.sqrt(), // Eq. (14a)
             Lambda::Exact => exact().a,
         },
-        b: match options.lambda_b {
+        b: match lambda_b {
             Lambda::Given(lambda) => (1.0 + lambda) * half_depth_ratio, // Eq. (14b), with r for π (erratum 8)
             Lambda::Exact => exact().b,
         },
@@ -59,9 +46,8 @@ fn approximate_shape(patch: &ContactPatch<'_>, options: &Options) -> ShapeIntegr
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::contact::Contact;
-    use crate::forces::Method;
+    use crate::forces::{ForceModel, Lambda, Method, PeakDepth};
     use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
     use crate::rolling::WheelOnSoil;
     use crate::shear::{JanosiHanamoto, ShearLaw};
@@ -87,8 +73,7 @@ mod tests {
                 friction_angle: phi,
                 shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })),
                 pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s, exponent })),
-                unit_weight: None,
-                lateral_shear_modulus: None,
+                ..SoilParams::BARE
             })
             .expect("a soil"),
             contact: Contact::MIDPOINT,

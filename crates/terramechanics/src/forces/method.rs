@@ -3,6 +3,8 @@
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::lateral::SideSlip;
 use crate::parameter::{Parameter, Presence, Requirement};
+use crate::patch::ContactPatch;
+use crate::rim::RimPoint;
 use crate::wheel::Wheel;
 
 /// The depth that is taken under the peak of the stresses by the closed forms.
@@ -12,6 +14,17 @@ pub enum PeakDepth {
     Geometric,
     /// Half of the sinkage. Eq. (8).
     Half,
+}
+
+impl PeakDepth {
+    /// The depth (m) at the place of the peak.
+    #[inline]
+    pub(crate) fn of(self, patch: &ContactPatch<'_>, peak: &RimPoint) -> f64 {
+        match self {
+            Self::Geometric => patch.geometric_depth(peak),
+            Self::Half => 0.5 * patch.sinkage, // Eq. (8)
+        }
+    }
 }
 
 /// A fitting constant of Eq. (14).
@@ -95,6 +108,9 @@ pub enum Method {
         /// λ_B of Eq. (14b).
         lambda_b: Lambda,
     },
+    /// The resistive force method of dry grains (Li, Zhang & Goldman 2013): neither the laws of the soil nor the rules of the contact
+    /// have a part in it.
+    ResistiveForce,
 }
 
 impl Method {
@@ -109,7 +125,7 @@ impl Method {
     pub fn is_closed_form(&self) -> bool {
         match self {
             Self::Linearised { .. } | Self::Explicit { .. } => true,
-            Self::Quadrature | Self::SideSlipping(_) => false,
+            Self::Quadrature | Self::SideSlipping(_) | Self::ResistiveForce => false,
         }
     }
 }

@@ -1,28 +1,36 @@
 //! What forces and torque does the soil exert on the wheel? (letter, Eqs. 10–17)
 //!
-//! There are three methods: [`quadrature`] of the stresses (Eq. 10), the closed form for [`linearised`] stresses (Shibly et al.
-//! 2005; Eqs. 7, 11, 12), and the letter's own [`explicit`] formulas (Eqs. 14–17).
+//! By the letter three ways: [`quadrature`] of the stresses (Eq. 10), the linearised stresses in [`closed`] form (Shibly et al. 2005, source 16;
+//! Eqs. 7, 11, 12), and the letter's own [`explicit`] formulas (Eqs. 14–17). Linear stresses hold for contacts of one zone; the
+//! power law of the pressure is rounder than a triangle, so that they carry less than the quadrature with the peak at the midpoint.
+//!
+//! Beside these, [`resistive`]: the same integrals over the stresses of the resistive force method.
 //!
 //! Departures from the letter as printed, with the number of the erratum: the normal stress acts at the rim unless asked
 //! otherwise (3); the normal force is the sum of both parts (4); the torque's integral starts at the exit (5); the torque
 //! carries r_s² (6); B ≈ z/(2r) (8); the shear terms of (15) carry r_s/√r (9).
 
+mod closed;
 mod explicit;
-mod linearised;
 mod method;
 mod panels;
 mod quadrature;
+pub(crate) mod resistive;
 mod shape;
 mod side;
 
+pub(crate) use closed::ClosedForm;
 pub use method::{Lambda, Method, NormalStressRadius, PeakDepth};
 pub use shape::ShapeIntegrals;
 
+use crate::circles::SlipRadius;
 use crate::error::Error;
 use crate::fault::Fault;
 use crate::lateral::SideForce;
+use crate::motion::Heading;
 use crate::patch::ContactPatch;
-use crate::slip::{Heading, Slip};
+use crate::rim::RimPoint;
+use crate::slip::Slip;
 use crate::stress::{StressField, Stresses};
 use crate::wheel::Wheel;
 
@@ -52,7 +60,8 @@ impl ForceModel {
     ///
     /// # Errors
     /// [`Error::Invalid`] for a λ that is not finite, [`Error::ClosedFormOfTwoZones`] for a closed form of a braking wheel
-    /// with two zones, [`Error::SlipAngleOfTwoZones`] for a slip angle of one, [`Error::NotFinite`] where a result overflows.
+    /// with two zones, [`Error::SlipAngleOfTwoZones`] for a slip angle of one, [`Error::MissingLaw`] for what the method needs of
+    /// the soil, [`Error::NotFinite`] where a result overflows.
     ///
     /// ```
     /// use terramechanics::*;
@@ -68,8 +77,7 @@ impl ForceModel {
     ///             k_phi: 754_130.0,
     ///             exponent: SinkageExponent { base: 0.91, slip_gain: 0.0, skid_gain: None },
     ///         })),
-    ///         unit_weight: None,
-    ///         lateral_shear_modulus: None,
+    ///         ..SoilParams::BARE
     ///     })?,
     ///     contact: Contact::MIDPOINT,
     /// };
@@ -82,18 +90,26 @@ impl ForceModel {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn forces(&self, patch: &ContactPatch<'_>) -> Result<Forces, Error> {
+        if self.method == Method::ResistiveForce {
+            return resistive::forces_in_grains(patch.rolling, patch.sinkage);
+        }
+        self.check(patch)?;
         let stresses = &patch.stresses()?;
-        let forces = match self.method {
-            Method::Quadrature => quadrature::forces(self, stresses),
-            Method::SideSlipping(side) if patch.has_two_zones() && side.angle.angle() != 0.0 => {
-                return Err(Error::SlipAngleOfTwoZones);
-            }
-            Method::SideSlipping(side) => side::forces(self, stresses, &side),
-            Method::Linearised { .. } | Method::Explicit { .. } if patch.has_two_zones() => {
-                return Err(Error::ClosedFormOfTwoZones);
-            }
-            Method::Linearised { peak_depth } => linearised::forces(self, stresses, peak_depth),
-            Method::Explicit { peak_depth, lambda_a, lambda_b } => {
+        let forces = match (self.method, self.closed_form(patch)) {
+            (_, Some(form)) => form.forces(stresses.curve.pressure(form.depth)),
+            (Method::SideSlipping(side), None) => side::forces(self, stresses, &side),
+            (_, None) => quadrature::forces(self, stresses),
+        };
+        if forces.is_finite() { Ok(forces) } else { Err(Error::NotFinite) }
+    }
+
+    /// Whether the method takes the contact, and its constants are numbers.
+    #[inline]
+    pub(crate) fn check(&self, patch: &ContactPatch<'_>) -> Result<(), Error> {
+        match self.method {
+            Method::SideSlipping(side) if patch.has_two_zones() && side.angle.angle() != 0.0 => Err(Error::SlipAngleOfTwoZones),
+            Method::Linearised { .. } | Method::Explicit { .. } if patch.has_two_zones() => Err(Error::ClosedFormOfTwoZones),
+            Method::Explicit { lambda_a, lambda_b, .. } => {
                 for (parameter, lambda) in [(&Lambda::A, lambda_a), (&Lambda::B, lambda_b)] {
                     if let Lambda::Given(value) = lambda
                         && !value.is_finite()
@@ -101,10 +117,10 @@ impl ForceModel {
                         return Err(Error::Invalid(Fault { parameter, value }));
                     }
                 }
-                explicit::forces(self, stresses, &explicit::Options { peak_depth, lambda_a, lambda_b })
+                Ok(())
             }
-        };
-        if forces.is_finite() { Ok(forces) } else { Err(Error::NotFinite) }
+            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::ResistiveForce => Ok(()),
+        }
     }
 }
 
@@ -152,7 +168,31 @@ impl Forces {
         }
     }
 
-    fn is_finite(&self) -> bool {
+    /// The forces of stresses `factor` times as large, of a wheel that goes straight ahead.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let Components { traction, resistance, normal_support, shear_support } = self.components;
+        let components = Components {
+            traction: factor * traction,
+            resistance: factor * resistance,
+            normal_support: factor * normal_support,
+            shear_support: factor * shear_support,
+        };
+        Self::new(components, factor * self.torque, self.integration_error)
+    }
+
+    /// The forces of both stresses together, of a wheel that goes straight ahead.
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        let (own, others) = (&self.components, &other.components);
+        let components = Components {
+            traction: own.traction + others.traction,
+            resistance: own.resistance + others.resistance,
+            normal_support: own.normal_support + others.normal_support,
+            shear_support: own.shear_support + others.shear_support,
+        };
+        Self::new(components, self.torque + other.torque, self.integration_error.max(other.integration_error))
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
         let Components { traction, resistance, normal_support, shear_support } = self.components;
         let all = [traction, resistance, normal_support, shear_support, self.longitudinal, self.normal, self.torque];
         all.iter().all(|value| value.is_finite()) && self.side.is_none_or(|side| side.is_finite())
@@ -196,26 +236,28 @@ impl Forces {
         (self.normal > 0.0 && ratio.is_finite()).then_some(ratio)
     }
 
-    /// Tractive efficiency F_x v/(T ω) = F_x r (1 − s)/T (–); defined only while the wheel drives: s ≥ 0 and a torque in the
-    /// sense of the motion.
+    /// Tractive efficiency F_x v/(T ω) = F_x r_slip (1 − s)/T (–), with the slip counted on `circle`; defined only while the
+    /// wheel drives: s ≥ 0 and a torque in the sense of the motion.
     #[must_use]
-    pub fn tractive_efficiency(&self, wheel: &Wheel, slip: Slip, heading: Heading) -> Option<f64> {
+    pub fn tractive_efficiency(&self, wheel: &Wheel, circle: SlipRadius, slip: Slip, heading: Heading) -> Option<f64> {
         let ahead = self.heading(heading); // mirrored back: the ratio is the same for both headings
-        let efficiency = ahead.longitudinal * wheel.radius() * (1.0 - slip.ratio()) / ahead.torque;
+        let efficiency = ahead.longitudinal * circle.of(wheel) * (1.0 - slip.ratio()) / ahead.torque;
         (slip.is_driving() && ahead.torque > 0.0 && efficiency.is_finite()).then_some(efficiency)
     }
+}
+
+/// The place of the peak.
+#[inline]
+fn peak(patch: &ContactPatch<'_>) -> RimPoint {
+    patch.rim_point(patch.angles.entry - patch.angles.peak)
 }
 
 /// σm and τm at the peak, with the depth there that a closed form takes.
 #[inline]
 pub(crate) fn peak_stresses(stresses: &StressField<'_>, peak_depth: PeakDepth) -> Stresses {
     let patch = stresses.patch;
-    let peak = patch.rim_point(patch.angles.entry - patch.angles.peak);
-    let depth = match peak_depth {
-        PeakDepth::Geometric => patch.geometric_depth(&peak),
-        PeakDepth::Half => 0.5 * patch.sinkage, // Eq. (8)
-    };
+    let peak = peak(patch);
     // Two zones have no shear stress at their peak, and the closed forms are refused there.
-    let normal = stresses.curve.pressure(depth);
+    let normal = stresses.curve.pressure(peak_depth.of(patch, &peak));
     Stresses { normal, shear: patch.mobilisation_of_one_zone(&peak) * patch.rolling.shear_strength(normal) }
 }

@@ -31,10 +31,10 @@ pub(super) fn shares(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngl
         let residual = rolling.shear().residual();
         return Shares { longitudinal: -residual * point.cos / speed, lateral: residual * angle.steepness() / speed };
     }
-    let along = patch.displacement(point) * rolling.system.soil.per_shear_scale();
+    let along = patch.displacement(point) * rolling.strength.per_shear_scale;
     let across = ishigami::displacement(patch, point, angle) * rolling.per_lateral_modulus();
     let share = rolling.shear().mobilisation(along.hypot(across));
-    let (slip, drift) = (patch.slip_velocity(point).abs(), rolling.velocity_ratio().0 * angle.steepness());
+    let (slip, drift) = (patch.slip_velocity(point).abs(), rolling.kinematics.ratio * angle.steepness());
     let speed = slip.hypot(drift);
     if speed > 0.0 {
         Shares { longitudinal: share.copysign(along) * slip / speed, lateral: share * drift / speed }

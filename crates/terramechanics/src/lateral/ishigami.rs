@@ -1,4 +1,4 @@
-//! What lateral force does a wheel at a slip angle develop? Lateral shear under the rim, and soil bulldozed by the side wall.
+//! How does a wheel push sideways? Lateral shear under it, and soil bulldozed by its side wall.
 //!
 //! Ishigami, Miwa, Nagatani & Yoshida 2005 (JSME Robomech 1A1-S-055, Eqs. 10–12) and 2007 (J. Field Robotics 24):
 //!
@@ -19,13 +19,9 @@
 //! D1 = 2 √K_p is exactly Rankine's cohesion term. D1 D2/2 = K_p (1 + √K_p tan φ) is 2 (1 + √K_p tan φ) times his weight term
 //! K_p/2, because soil heaped up in front of the wall adds to the wedge.
 //!
-//! Validity: R_b depends on neither β nor the slip, so F_y as published does not vanish with the sideways motion. At a slip of
-//! 0.91 the smooth wheel of the 2005 paper measured only −4 to −1 N, at all its slip angles. [`Bulldozing`](super::Bulldozing)
-//! therefore offers the share of R_b that E_y mobilises: the side wall meets fresh soil all the time, and at θ it has pushed
-//! that soil by j_y only.
-//!
-//! Departures: the shear law is that of the soil (published: Janosi–Hanamoto); a braking wheel has κ = 1/(1 + s) in place of
-//! 1 − s; with lugs τ_y acts at the shearing radius, as τ does.
+//! Departures: the shear law is that of the soil, Janosi–Hanamoto's is the published one; a braking wheel has κ = 1/(1 + s)
+//! in place of 1 − s; on a wheel with lugs τ_y acts at the shearing radius, as τ does, and j_y is counted from where the circle of
+//! j enters the soil (`circles.rs`).
 
 use super::SlipAngle;
 use crate::patch::ContactPatch;
@@ -36,7 +32,7 @@ use crate::soil::Soil;
 #[inline]
 pub(super) fn displacement(patch: &ContactPatch<'_>, point: &RimPoint, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
-    rolling.system.wheel.radius() * rolling.velocity_ratio().0 * point.arc() * angle.steepness()
+    rolling.kinematics.radius * rolling.kinematics.ratio * patch.sheared_arc(point) * angle.steepness()
 }
 
 /// E_y (–) at a rim point, without sign. A locked wheel has an infinite displacement and so the residual share.
@@ -53,7 +49,7 @@ pub(super) fn lateral_share(patch: &ContactPatch<'_>, point: &RimPoint, angle: S
 /// Arc (rad) behind the entry over which E_y builds up; infinite where it is constant.
 pub(super) fn layer(patch: &ContactPatch<'_>, angle: SlipAngle) -> f64 {
     let rolling = patch.rolling;
-    let growth = rolling.system.wheel.radius() * rolling.velocity_ratio().0 * angle.steepness();
+    let growth = rolling.kinematics.radius * rolling.kinematics.ratio * angle.steepness();
     if rolling.slip.is_locked() || growth == 0.0 { f64::INFINITY } else { 1.0 / (growth * rolling.per_lateral_modulus()) }
 }
 

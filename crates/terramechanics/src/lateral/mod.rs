@@ -7,10 +7,10 @@
 //! moves to its right, v_y = −|v_x| tan β. The lateral force opposes the sideways motion, so F_y has the sign of β, as Ishigami
 //! prints it.
 //!
-//! Displacement. With κ = v_x/(rω), a rim point slips against the soil at rω (1 − κ cos θ), backwards along the rim, and at rω
-//! κ tan β sideways. It entered the soil at θ1, a time (θ1 − θ)/ω ago, so its sideways displacement is j_y = r κ (θ1 − θ) tan
-//! β. A driving wheel has κ = 1 − s, which is the printed formula. A braking wheel has κ = 1/(1 + s), as in its displacement
-//! along the rim. Like the letter's j, both displacements are counted on the rim radius, also with lugs.
+//! What a place of the rim does to the soil. With κ = v_x/(rω), it moves against the soil at rω (1 − κ cos θ) backwards
+//! along the rim and at rω κ tan β sideways. It came in at θ1 a time (θ1 − θ)/ω ago, so it has gone sideways by
+//! j_y = r κ (θ1 − θ) tan β. A driving wheel has κ = 1 − s, which is the printed formula; a braking one 1/(1 + s), as its
+//! displacement along the rim has. With lugs r and θ1 are those of the circle on which j is counted; v_x/ω = r κ is the same.
 //!
 //! | part | here |
 //! |---|---|

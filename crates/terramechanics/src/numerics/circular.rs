@@ -4,7 +4,7 @@
 //! whose remainders are below 1e-17 at π/2, give sine, cosine and the difference x − sin x in one go, faster than the
 //! library's sine and cosine. The subtraction x − sin x would lose two digits in every decade as x falls; the series does not.
 
-/// Functions of an angle x in |x| ≤ π/2.
+/// Functions of an angle x in |x| ≤ 1.1 π/2.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HalfArc {
     /// sin x.

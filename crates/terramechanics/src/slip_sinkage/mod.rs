@@ -29,7 +29,7 @@ family! {
     /// # use terramechanics::{LinearSlipSinkage, Slip, SlipSinkage};
     /// let slip = Slip::new(0.6)?;
     /// assert!((SlipSinkage::Lyasko.sinkage(1.0, slip) - 16.0 / 7.0).abs() < 1e-15); // by hand: 1.6/0.7
-    /// assert_eq!(SlipSinkage::Linear(LinearSlipSinkage { gain: 0.5 }).sinkage(1.0, slip), 1.3);
+    /// assert_eq!(SlipSinkage::Linear(LinearSlipSinkage { gain: 0.5, skid_gain: None }).sinkage(1.0, slip), 1.3);
     /// # Ok::<(), terramechanics::Error>(())
     /// ```
     #[must_use]

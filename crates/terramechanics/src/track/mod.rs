@@ -24,9 +24,11 @@ pub use tally::{CautionTally, CulpritTally, Tally};
 use crate::error::Error;
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::fault::InvalidInput;
+use crate::motion::Heading;
 use crate::operation::{Operation, Sinkage};
 use crate::outcome::cautions_with_sinkage;
-use crate::slip::Heading;
+use crate::pull_from_torque::torque_against_slip;
+use crate::rolling::WheelOnSoil;
 use reached::{Reached, Uncoupled};
 use refusal::{Refused, present};
 use tally::CompensatedSum;
@@ -52,6 +54,8 @@ pub struct Tracker {
     missing_load: Option<Tally>,
     not_coupled: Option<Tally>,
     cautions: Vec<CautionTally>,
+    /// The latest static sinkage with the normal force (N) at its standstill.
+    standstill: Option<(Sinkage, Option<f64>)>,
     backward: bool,
 }
 
@@ -74,8 +78,7 @@ impl Tracker {
     /// #         friction_angle: 0.478,
     /// #         shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
     /// #         pressure_sinkage: Some(PressureSinkage::Bekker(Bekker { k_c: -660.0, k_phi: 754_130.0, exponent })),
-    /// #         unit_weight: None,
-    /// #         lateral_shear_modulus: None,
+    /// #         ..SoilParams::BARE
     /// #     })?,
     /// #     contact: Contact::MIDPOINT,
     /// # };
@@ -118,6 +121,7 @@ impl Tracker {
             missing_load: None,
             not_coupled: None,
             cautions: Vec::new(),
+            standstill: None,
             backward: false,
         })
     }
@@ -158,7 +162,8 @@ impl Tracker {
 
     /// Adds the energy up to a good sample, and what the run remembers of it.
     fn accept(&mut self, index: u64, sinkage: Sinkage, reached: Reached) -> TrackRow {
-        let Reached { mut row, outcome, heading, coupled } = reached;
+        let Reached { mut row, mut outcome, heading, coupled } = reached;
+        outcome.standstill_normal = self.standstill_normal(sinkage);
         if row.power.is_finite() {
             if let Some((time, power)) = self.latest_power {
                 self.energy.add(0.5 * (power + row.power) * (row.time - time));
@@ -169,7 +174,10 @@ impl Tracker {
         match coupled {
             Some(Ok(forces)) => {
                 row.longitudinal_coupled = forces.heading(heading).longitudinal;
-                CautionTally::count(&mut self.cautions, index, forces.caution().into_iter());
+                let WheelOnSoil { wheel, contact, .. } = &self.operation.system;
+                let moves = row.status == Status::Ok; // at rest there is no slip to contradict
+                let against = torque_against_slip(wheel, contact, outcome.slip, outcome.sinkage, forces.torque).filter(|_| moves);
+                CautionTally::count(&mut self.cautions, index, forces.caution().into_iter().chain(against));
             }
             Some(Err(Uncoupled::Missing { torque, load })) => {
                 for (_, tally) in
@@ -184,6 +192,21 @@ impl Tracker {
         self.backward |= heading == Heading::Backward;
         CautionTally::count(&mut self.cautions, index, cautions_with_sinkage(&self.operation, &sinkage, &outcome));
         row
+    }
+
+    /// Normal force (N) at the standstill of a sample whose sinkage follows from a static one; found once for as long as that stays.
+    fn standstill_normal(&mut self, sinkage: Sinkage) -> Option<f64> {
+        if !matches!(sinkage, Sinkage::FromStatic { .. }) {
+            return None;
+        }
+        match self.standstill {
+            Some((known, normal)) if known == sinkage => normal,
+            _ => {
+                let normal = Operation { sinkage, ..self.operation }.standstill_normal();
+                self.standstill = Some((sinkage, normal));
+                normal
+            }
+        }
     }
 
     /// Updates the events. A sample without a slip leaves a stall as it is, one without a sinkage an entrapment.

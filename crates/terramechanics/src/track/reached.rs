@@ -2,11 +2,14 @@
 
 use super::refusal::{Refused, positive, present};
 use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
-use crate::coupled::{Coupled, CoupledForces};
+use crate::coupled::Coupled;
 use crate::error::Error;
-use crate::operation::Sinkage;
+use crate::motion::{Heading, Motion};
+use crate::operation::{KnownSinkage, Sinkage};
 use crate::outcome::Outcome;
-use crate::slip::{Heading, Motion, Slip};
+use crate::pull_from_torque::CoupledForces;
+use crate::rolling::WheelOnSoil;
+use crate::slip::Slip;
 
 /// The result of a good sample.
 pub(super) struct Reached {
@@ -28,24 +31,26 @@ impl Tracker {
         let (motion, angular) = self.motion(&sample.motion)?;
         *slip = motion.slip.ratio();
         match sample.sinkage {
-            Sinkage::Given(sinkage) => {
-                positive(Channel::Sinkage, sinkage)?;
-                if sinkage > self.operation.system.wheel.radius() {
-                    return Err(Refused::out_of_range(Channel::Sinkage, sinkage));
-                }
-            }
+            Sinkage::Given(sinkage) => self.measured_sinkage(sinkage)?,
             Sinkage::CarryingLoad(load) => positive(Channel::NormalLoad, load)?,
             Sinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
+            Sinkage::UnderLoad { sinkage, load } => {
+                match sinkage {
+                    KnownSinkage::Given(sinkage) => self.measured_sinkage(sinkage)?,
+                    KnownSinkage::FromStatic { static_sinkage, .. } => positive(Channel::Sinkage, static_sinkage)?,
+                }
+                positive(Channel::NormalLoad, load)?;
+            }
         }
         let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
         let point = self.operation.with_sinkage(motion.slip, &sample.sinkage).map_err(unsolved)?;
         let forces = point.forces.heading(motion.heading);
-        let wheel = &self.operation.system.wheel;
+        let (wheel, circle) = (&self.operation.system.wheel, self.operation.system.contact.circles().slip);
         let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
         if power.is_infinite() {
             return Err(unsolved(Error::NotFinite));
         }
-        let efficiency = || forces.tractive_efficiency(wheel, motion.slip, motion.heading);
+        let efficiency = || forces.tractive_efficiency(wheel, circle, motion.slip, motion.heading);
         let row = TrackRow {
             time: sample.time,
             slip: *slip,
@@ -64,6 +69,15 @@ impl Tracker {
         Ok(Reached { row, outcome: Outcome::from(&point), heading: motion.heading, coupled })
     }
 
+    /// Refuses a measured sinkage (m) that is missing or that no contact has.
+    fn measured_sinkage(&self, sinkage: f64) -> Result<(), Refused> {
+        positive(Channel::Sinkage, sinkage)?;
+        if sinkage > self.operation.system.wheel.radius() {
+            return Err(Refused::out_of_range(Channel::Sinkage, sinkage));
+        }
+        Ok(())
+    }
+
     /// Slip and heading, and the angular velocity (rad/s) where it is known.
     fn motion(&self, motion: &SampleMotion) -> Result<(Motion, Option<f64>), Refused> {
         match *motion {
@@ -78,7 +92,8 @@ impl Tracker {
             SampleMotion::Velocities(velocities) => {
                 present(Channel::ForwardVelocity, velocities.forward)?;
                 present(Channel::AngularVelocity, velocities.angular)?;
-                let motion = Motion::of(&self.operation.system.wheel, velocities).map_err(|error| {
+                let WheelOnSoil { wheel, contact, .. } = &self.operation.system;
+                let motion = Motion::of(wheel, contact.circles().slip, velocities).map_err(|error| {
                     let opposite = matches!(error, Error::OppositeRotation { .. });
                     let status = if opposite { Status::OppositeRotation } else { Status::OutOfRange };
                     Refused { status, error: Some(error), culprit: None }

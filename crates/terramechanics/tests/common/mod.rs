@@ -3,9 +3,10 @@
 
 use serde_json::Value;
 use terramechanics::{
-    Bekker, Contact, ContactParams, Diameter, Direct, ForceModel, Forces, JanosiHanamoto, Lambda, Method, NormalStressRadius,
-    PeakDepth, PeakRule, PressureSinkage, Reece, ShearLaw, SinkageExponent, Slip, Soil, SoilParams, Wheel, WheelOnSoil,
-    WheelParams, WongPeak, WongReece, WongResidual,
+    AngleRatio, Bekker, Braking, Circles, Contact, ContactParams, Diameter, Direct, ExitRule, ForceModel, Forces, Interface,
+    JanosiHanamoto, Lambda, Method, NormalStressRadius, PeakDepth, PeakRule, PressureSinkage, Reece, ShearDisplacementRadius,
+    ShearLaw, SinkageExponent, SinkageRatio, Slip, SlipRadius, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongPeak,
+    WongReece, WongResidual,
 };
 
 /// The letter's wheel and soil (its Fig. 1b), as parameters to vary.
@@ -17,8 +18,7 @@ pub(crate) const LETTER_SOIL: SoilParams = SoilParams {
     friction_angle: 0.478,
     shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.005 })),
     pressure_sinkage: Some(PressureSinkage::Bekker(LETTER_LAW)),
-    unit_weight: None,
-    lateral_shear_modulus: None,
+    ..SoilParams::BARE
 };
 
 pub(crate) fn system(wheel: WheelParams, soil: SoilParams, contact: Contact) -> WheelOnSoil {
@@ -30,7 +30,8 @@ pub(crate) fn letter() -> WheelOnSoil {
 }
 
 pub(crate) fn contact(rule: PeakRule, exit_ratio: f64) -> Contact {
-    Contact::new(ContactParams { rule, exit_ratio }).expect("a contact")
+    let exit = ExitRule::AngleRatio(AngleRatio { c3: exit_ratio });
+    Contact::new(ContactParams { rule, exit, ..ContactParams::MIDPOINT }).expect("a contact")
 }
 
 pub(crate) fn slip(ratio: f64) -> Slip {
@@ -51,12 +52,51 @@ pub(crate) fn cases(text: &str) -> Vec<Value> {
 }
 
 pub(crate) const REFERENCE_CASES: &str = include_str!("../reference/reference_cases.json");
+pub(crate) const LUGS: &str = include_str!("../reference/lugs.json");
+pub(crate) const CIRCLES: &str = include_str!("../reference/circles.json");
 pub(crate) const SIDE_FORCE_CASES: &str = include_str!("../reference/side_force_cases.json");
 pub(crate) const EDGE_CASES: &str = include_str!("../reference/edge_cases.json");
 
 /// A number of a case, or what it is where the case leaves it out.
 fn number(object: &Value, name: &str, default: f64) -> f64 {
     object.get(name).map_or(default, |value| value.as_f64().expect("a number"))
+}
+
+/// The circles of a case; one that says nothing of them counts on the rim, as the letter does.
+fn circles_of(input: &Value) -> Circles {
+    let circle = |name: &str| input.get(name).and_then(Value::as_str).unwrap_or("rim");
+    Circles {
+        shear_displacement: match circle("shear_displacement_radius") {
+            "rim" => ShearDisplacementRadius::Rim,
+            "shearing" => ShearDisplacementRadius::Shearing,
+            other => panic!("no circle {other}"),
+        },
+        slip: match circle("slip_radius") {
+            "rim" => SlipRadius::Rim,
+            "shearing" => SlipRadius::Shearing,
+            "lug_tip" => SlipRadius::LugTip,
+            other => panic!("no circle {other}"),
+        },
+    }
+}
+
+fn contact_of(input: &Value, rule: PeakRule) -> Contact {
+    let given = &input["contact"];
+    let exit = match given.get("exit") {
+        Some(exit) => ExitRule::SinkageRatio(SinkageRatio { ratio: number(exit, "ratio", f64::NAN) }),
+        None => ExitRule::AngleRatio(AngleRatio { c3: number(given, "c3", 0.0) }),
+    };
+    let interface = given.get("interface").map(|of| {
+        let value = |name: &str| of.get(name).and_then(Value::as_f64);
+        Interface {
+            friction_angle: value("friction_angle_rad"),
+            adhesion: value("adhesion_pa"),
+            shear_modulus: value("shear_modulus_m"),
+        }
+    });
+    let contact = Contact::new(ContactParams { rule, exit, circles: circles_of(input), interface }).expect("a contact");
+    let is_parted = input.get("braking").is_some_and(|braking| braking == "two_zone");
+    contact.with_braking(if is_parted { Braking::TwoZone } else { Braking::OneZone })
 }
 
 pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
@@ -105,8 +145,9 @@ pub(crate) fn system_of(input: &Value) -> WheelOnSoil {
             pressure_sinkage: Some(pressure_sinkage),
             unit_weight: soil.get("unit_weight_n_m3").and_then(Value::as_f64),
             lateral_shear_modulus: soil.get("lateral_shear_modulus_m").and_then(Value::as_f64),
+            ..SoilParams::BARE
         },
-        contact(peak_rule, number(rule, "c3", 0.0)),
+        contact_of(input, peak_rule),
     )
 }
 

@@ -30,12 +30,15 @@ class BrakingWheel(Wheel):
 
     def __init__(self, given):
         super().__init__(given)
-        if not -1 <= self.s < 0:
+        if not self.skids():
             raise Failure("the wheel does not brake")
         phi = mpf(given["soil"]["friction_angle_rad"])
         self.exit_ratio = mpf(given.get("contact", {}).get("c3", 0))
-        self.i = None if self.locked else 1 / (1 + self.s) - 1
+        self.i = None if self.locked else self.kappa - 1
         self.theta_0 = self.parting_angle(mp.tan(mp.pi / 4 - phi / 2))
+
+    def skids(self):
+        return -1 <= self.s < 0
 
     def parting_angle(self, slope):
         """The root of slope = (cos x - 1 / (1 + i)) / sin x; the right side falls from infinity."""

@@ -1,0 +1,63 @@
+//! What is watched of the load and the torque.
+
+use super::{CautionKind, TestedRange};
+use crate::rolling::WheelOnSoil;
+
+/// Residual of the load balance over the load above which a result says so; a thousand times more is refused.
+const LARGEST_LOAD_RESIDUAL: f64 = 1e-9;
+
+/// Change of the normal force with slip beyond which a result says so; a choice.
+const LARGEST_DRIFT: f64 = 0.1;
+
+kinds! {
+    LOAD_RESIDUAL = CautionKind {
+        code: "load_residual",
+        meaning: "The normal force is a small difference of large parts and balances the load only to within this residual.",
+        advice: "Trust no more digits of the forces than this residual leaves.",
+        parameter: Some(&WheelOnSoil::NORMAL_LOAD),
+        range: Some(TestedRange {
+            quantity: "normal force minus load, over the load",
+            unit: "1",
+            lower: None,
+            upper: Some(LARGEST_LOAD_RESIDUAL),
+            source: "the load balance itself",
+        }),
+    };
+    NEGATIVE_NORMAL_STRESS = CautionKind {
+        code: "negative_normal_stress",
+        meaning: "With this load and torque the soil would have to pull the wheel down, which it cannot do. The two do not \
+                  fit together at this slip and sinkage.",
+        advice: "Check the measured torque, load, slip and sinkage.",
+        parameter: Some(&WheelOnSoil::TORQUE),
+        range: Some(TestedRange {
+            quantity: "normal stress at the peak",
+            unit: "Pa",
+            lower: Some(0.0),
+            upper: None,
+            source: "letter, Eq. 11, solved for the stresses",
+        }),
+    };
+    NORMAL_FORCE_DRIFTS = CautionKind {
+        code: "normal_force_drifts",
+        meaning: "The sinkage follows from the slip and the load is not known, so that the normal force drifts away from its value at \
+                  the standstill by this share, while the load of a wheel that drives on does not change. On seven public sets of \
+                  tests it drifts by 0.6 to 1.8 of the load.",
+        advice: "Give the load beside the static sinkage: it then takes the place of the sinkage modulus.",
+        parameter: Some(&WheelOnSoil::NORMAL_LOAD),
+        range: Some(TestedRange {
+            quantity: "normal force over that at the standstill, minus 1",
+            unit: "1",
+            lower: Some(-LARGEST_DRIFT),
+            upper: Some(LARGEST_DRIFT),
+            source: "the model itself at the standstill; the bound is a choice",
+        }),
+    };
+    TORQUE_AGAINST_SLIP = CautionKind {
+        code: "torque_against_slip",
+        meaning: "The torque has the sign that no shear stress of this slip has: a wheel that slips backwards over the soil all along \
+                  its contact is turned by its motor, and one that slips forwards all along is braked.",
+        advice: "Check the signs of torque and slip, and the circle on which the slip is counted.",
+        parameter: Some(&WheelOnSoil::TORQUE),
+        range: None,
+    };
+}
