@@ -22,7 +22,7 @@ export const GAPS = {
  * @param {Field} field
  */
 function uncertainText({ standard_error: error, known: { half_width: width } }, field) {
-  if (width !== undefined) return `± ${valueText(field, width)} (95\u00a0%) is too wide to be of use`;
+  if (width !== undefined) return `±\u00a0${valueText(field, width)} (95\u00a0%) is too wide to be of use`;
   return error === null ? "there are too few data to state an error" : "its interval is too wide to be written as a number";
 }
 
