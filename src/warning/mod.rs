@@ -14,7 +14,8 @@ mod wire;
 mod words;
 
 pub(crate) use gather::{RowCautions, gathered, shared_warnings};
-pub(crate) use pieces::{BeyondRange, gap_code, gap_in_words};
+pub(crate) use of_model::gap_code;
+pub(crate) use pieces::{BeyondRange, gap_in_words};
 pub(crate) use place::Rows;
 pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};

@@ -2,7 +2,6 @@
 
 use terramechanics_identification::DesignGap;
 
-use super::Finding;
 use super::words::{number, quoted};
 
 /// The values of one column that are out of range.
@@ -58,9 +57,4 @@ pub(super) fn gap_advice(gap: DesignGap) -> &'static str {
         DesignGap::FewPoints => "Measure at more operating points.",
         DesignGap::NormalForceOnly => "Send a torque or a longitudinal force as well.",
     }
-}
-
-/// The code of the warning about such data.
-pub(crate) fn gap_code(gap: DesignGap) -> &'static str {
-    Finding::gap(gap, Vec::new()).code()
 }
