@@ -4,6 +4,7 @@
 //! warning is a finding or a caution, with the rows and series for which it holds. Nothing else can be sent.
 
 mod detail;
+mod figure;
 mod gather;
 mod of_model;
 mod pieces;
@@ -19,7 +20,6 @@ pub(crate) use pieces::{BeyondRange, gap_in_words};
 pub(crate) use place::Rows;
 pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};
-use wire::Figure;
 pub(crate) use words::{Reason, number};
 
 use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};

@@ -4,6 +4,7 @@ use serde::{Serialize, Serializer};
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
+use super::figure::Figure;
 use super::{Finding, Measure, Rows, Subject, Warning};
 use crate::quantity::{shown, unit_of_name};
 
@@ -71,32 +72,6 @@ struct WarningBody {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schema(required = false)]
     series: Vec<String>,
-}
-
-/// A further figure of a finding.
-#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
-#[schema(as = WarningFigure)]
-pub(super) struct Figure {
-    /// What it is.
-    #[schema(example = "sinkage")]
-    quantity: &'static str,
-    /// Its value.
-    value: f64,
-    /// Its unit by UCUM, 1 for a ratio, where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false, example = "m")]
-    unit: Option<&'static str>,
-}
-
-impl Figure {
-    pub(super) fn of(quantity: &'static str, value: f64, unit: &'static str) -> Self {
-        Self { quantity, value, unit: Some(unit) }
-    }
-
-    /// In the unit of a parameter.
-    pub(super) fn of_parameter(quantity: &'static str, value: f64, parameter: &str) -> Self {
-        Self { quantity, value, unit: unit_of_name(parameter) }
-    }
 }
 
 /// A quantity outside its range.

@@ -2,7 +2,8 @@
 
 use terramechanics::{Error, Fault, JanosiHanamoto, Parameter, Parametrised, PressureSinkage, Soil, WheelOnSoil, WheelParams};
 
-use super::{Figure, Measure};
+use super::Measure;
+use super::figure::Figure;
 
 /// A number in four digits, as people read it; the value itself is in the data.
 pub(crate) fn number(value: f64) -> String {
