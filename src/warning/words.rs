@@ -3,6 +3,7 @@
 use terramechanics::{Error, Fault, JanosiHanamoto, Parameter, Parametrised, PressureSinkage, Soil, WheelOnSoil, WheelParams};
 
 use super::Measure;
+use super::figure::Figure;
 
 /// A number in four digits, as people read it; the value itself is in the data.
 pub(crate) fn number(value: f64) -> String {
@@ -92,6 +93,16 @@ impl Reason {
             | Error::LoadNotCoupled { .. }
             | Error::MissingLaw(_)
             | Error::NotFinite => None,
+        }
+    }
+
+    /// The sinkage that goes with a load that the model refuses.
+    pub(super) fn figure(&self) -> Option<Figure> {
+        match *self {
+            Self::Model(Error::LoadBeyondCapacity { sinkage, .. } | Error::LoadTooLight { sinkage, .. }) => {
+                Some(Figure::of("sinkage", sinkage, "m"))
+            }
+            _ => None,
         }
     }
 

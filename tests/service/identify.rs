@@ -147,6 +147,7 @@ fn what_cannot_be_unique_is_never_converged_without_saying_so() {
     assert_eq!((&reply["identifiable"], &reply["condition_number"]), (&json!(false), &Value::Null));
     assert_eq!(estimate(&reply, "n0")["standard_error"], Value::Null);
     assert!(estimate(&reply, "n0")["identifiability"].as_str().expect("words").contains("together with n1"));
+    assert_eq!(estimate(&reply, "n0")["known"], json!({"code": "inseparable", "tied_to": ["n1"]}));
     assert_eq!(reply["dead_directions"].as_array().map(Vec::len), Some(1));
 }
 
@@ -221,6 +222,10 @@ fn an_estimate_at_a_bound_says_so() {
     let angle = estimate(&reply, "friction_angle_rad");
     assert_eq!((&angle["value"], &angle["at_bound"]), (&json!(0.4), &json!(true)), "{reply}");
     assert!(codes(&reply).contains(&"at_bound".to_owned()));
+    let warning = reply["warnings"].as_array().into_iter().flatten().find(|warning| warning["code"] == "at_bound");
+    for said in [&angle["known"], warning.expect("a warning")] {
+        assert_eq!((&said["code"], &said["end"]), (&json!("at_bound"), &json!("upper")), "{reply}");
+    }
 }
 
 #[test]
@@ -365,6 +370,17 @@ fn a_line_through_samples_of_one_kind_is_flagged() {
         for name in ["cohesion_pa", "friction_angle_rad"] {
             let words = estimate(&reply, name)["identifiability"].as_str().expect("words").to_owned();
             assert!(words.starts_with("not determined by data of this kind"), "{words}");
+            let known = &estimate(&reply, name)["known"];
+            // A wrong K changes both by the same factor; under one load, c and φ stand for one another.
+            let other = match (code, name) {
+                ("single_slip", _) => "shear_modulus_m",
+                (_, "cohesion_pa") => "friction_angle_rad",
+                _ => "cohesion_pa",
+            };
+            assert_eq!(
+                (&known["code"], &known["gap"], &known["tied_to"]),
+                (&json!("unseparated"), &json!(code), &json!([other]))
+            );
         }
     }
 }

@@ -24,6 +24,7 @@ mod quantities;
 mod query;
 mod resistances;
 mod running;
+mod sentences;
 mod server;
 mod side_force;
 mod slip_sweep;
