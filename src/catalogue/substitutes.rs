@@ -88,11 +88,11 @@ impl Spread {
         Some(Self { count: values.len(), median: median(&values)?, low: *values.first()?, high: *values.last()? })
     }
 
-    /// The value as what was found of `entries`.
-    fn in_words(&self, what: &str, entries: &str) -> String {
+    /// What the value is: the median of `what` over entries, or that of the only one there is.
+    fn in_words(&self, what: &str, [one, several]: [&str; 2], which: &str) -> String {
         match self.count {
-            1 => format!("{what} of the only one of {entries} that publishes it"),
-            count => format!("median {what} of the {count} of {entries} that publish it"),
+            1 => format!("{what} of the one {one} {which} that publishes it"),
+            count => format!("median {what} of the {count} {several} {which} that publish it"),
         }
     }
 }
@@ -117,14 +117,17 @@ fn of_other_soils(record: &SoilRecord, parameter: &Parameter) -> Option<Substitu
         let alike = soils().iter().filter(move |other| !of_kind || other.kind == record.kind);
         Spread::of(alike.filter_map(|other| founded(&other.values, other.grade, parameter.name)))
     };
-    let of_kind = published(true).map(|spread| (spread, format!("the soils of the kind `{}`", record.kind)));
-    let (spread, entries) =
-        of_kind.or_else(|| Some((published(false)?, format!("all soils, as none of the kind `{}` does", record.kind))))?;
+    let in_words = |spread: &Spread, which: &str| spread.in_words("value", ["soil", "soils"], which);
+    let of_kind = published(true).map(|spread| (in_words(&spread, &format!("of the kind `{}`", record.kind)), spread));
+    let (reason, spread) = of_kind.or_else(|| {
+        let spread = published(false)?;
+        Some((format!("{}; none of the kind `{}` does", in_words(&spread, "of the catalogue"), record.kind), spread))
+    })?;
     Some(Substitute {
         field: parameter.name.to_owned(),
         value: spread.median,
         unit: parameter.unit,
-        reason: spread.in_words("value", &entries),
+        reason,
         low: spread.low,
         high: spread.high,
     })
@@ -181,12 +184,12 @@ fn width(record: &WheelRecord) -> Option<Substitute> {
         Some(of(Wheel::WIDTH.name)? / of(Wheel::RADIUS.name)?)
     };
     let spread = Spread::of(wheels().iter().filter(|other| other.kind == record.kind).filter_map(shape))?;
-    let entries = format!("the wheels of the kind `{}`", record.kind);
+    let which = format!("of the kind `{}`", record.kind);
     Some(Substitute {
         field: Wheel::WIDTH.name.to_owned(),
         value: radius * spread.median,
         unit: Wheel::WIDTH.unit,
-        reason: format!("its radius times the {}", spread.in_words("width over radius", &entries)),
+        reason: format!("its radius times the {}", spread.in_words("width over radius", ["wheel", "wheels"], &which)),
         low: radius * spread.low,
         high: radius * spread.high,
     })
@@ -226,7 +229,7 @@ mod tests {
         assert!(count > 60, "{count}");
     }
 
-    /// Snow is stated by one author from a test; of the martian soils none was tested in shear to the end.
+    /// Of three moduli of snow two are guesses by a guideline, and so is the only one of a Martian soil.
     #[test]
     fn values_that_were_assigned_from_elsewhere_do_not_count() {
         let of = |id: &str| {
