@@ -1,9 +1,12 @@
 //! Sets of measurements as they are kept.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
+use super::inputs::InputsOfOrigin;
 use super::run::{BRAKING, Run, SIDEWAYS, STRAIGHT};
 use super::side_slip::SideSlipOfSet;
 
@@ -27,6 +30,11 @@ pub(crate) enum MeasurementGrade {
 pub(crate) struct Record {
     pub(crate) id: String,
     pub(crate) title: String,
+    /// Where its inputs come from.
+    pub(crate) inputs: Vec<InputsOfOrigin>,
+    /// Measured columns that count in no error, each with the reason.
+    #[serde(default)]
+    pub(crate) not_scored: BTreeMap<String, String>,
     pub(crate) source: String,
     pub(crate) grade: MeasurementGrade,
     pub(crate) note: Option<String>,

@@ -36,5 +36,6 @@ mod track;
 mod track_cells;
 mod track_stream;
 mod validation;
+mod validation_inputs;
 mod validation_laws;
 mod warnings;
