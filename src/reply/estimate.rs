@@ -4,7 +4,8 @@ use serde::Serialize;
 use terramechanics_identification::{Bound, Estimate, Identifiability, Unknown};
 use utoipa::ToSchema;
 
-use crate::warning::{gap_code, gap_in_words, number};
+use crate::quantity::number;
+use crate::warning::{gap_code, gap_in_words};
 
 /// The result for one parameter.
 #[derive(Debug, Serialize, ToSchema)]

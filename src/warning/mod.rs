@@ -20,7 +20,7 @@ pub(crate) use pieces::{BeyondRange, gap_in_words};
 pub(crate) use place::Rows;
 pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};
-pub(crate) use words::{Reason, number};
+pub(crate) use words::Reason;
 
 use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};
 use terramechanics_reading::Assumption;

@@ -2,7 +2,8 @@
 
 use terramechanics_identification::DesignGap;
 
-use super::words::{number, quoted};
+use super::words::quoted;
+use crate::quantity::number;
 
 /// The values of one column that are out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -5,8 +5,9 @@ use terramechanics_identification::{DesignGap, StopReason};
 use super::Measure;
 use super::figure::Figure;
 use super::pieces::{BeyondRange, gap_advice, gap_of};
-use super::words::{Reason, counted, listed, number, quoted};
+use super::words::{Reason, counted, listed, quoted};
 use crate::catalogue::{CATALOGUE, Outside};
+use crate::quantity::number;
 use crate::quantity::with_unit;
 use crate::series::SeriesFault;
 
