@@ -1,6 +1,6 @@
 //! The soil of a request.
 
-use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
+use terramechanics::{Contact, Direct, InvalidInput, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
 use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 
 use super::fitted_law;
@@ -21,6 +21,12 @@ const PRESSURE_SINKAGE: Field<&Tagged> =
     Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
 const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
 const UNIT_WEIGHT: Field<Number> = own_field(&Soil::UNIT_WEIGHT);
+const BULK_DENSITY: Field<Number> = own_field(&Soil::BULK_DENSITY);
+const GRAVITY: Field<Number> = Field {
+    meaning: "Gravity g (m/s²) in which the soil lies; that of the preset unless given, else the Earth's. Where it differs from that of a preset, the preset's weights follow it and its moduli do not.",
+    ..own_field(&Soil::GRAVITY)
+};
+const GRANULAR_STIFFNESS: Field<Number> = own_field(&Soil::GRANULAR_STIFFNESS);
 pub(crate) const SHEAR: Field<&Tagged> =
     Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
@@ -30,7 +36,7 @@ pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
 
 pub(crate) const SOIL: Object = Object {
     name: "Soil",
-    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's.",
     groups: &[&[
         &PRESET,
         &COHESION,
@@ -39,6 +45,9 @@ pub(crate) const SOIL: Object = Object {
         &PRESSURE_SINKAGE,
         &LATERAL_SHEAR_MODULUS,
         &UNIT_WEIGHT,
+        &BULK_DENSITY,
+        &GRAVITY,
+        &GRANULAR_STIFFNESS,
         &SHEAR,
     ]],
 };
@@ -56,13 +65,33 @@ pub(crate) struct Needs<'a> {
     pub(crate) pressure_sinkage: bool,
     /// Whether the shear law has one.
     pub(crate) shear: bool,
+    /// Whether cohesion and friction have one of their own.
+    pub(crate) strength: bool,
+    /// Whether the granular stiffness has one; then it has to be given or to follow.
+    pub(crate) granular_stiffness: bool,
     /// The starts of the parameters that are fitted, by name: they may be absent.
     pub(crate) fitted: &'a dyn Fn(&str) -> Option<f64>,
 }
 
 impl Needs<'static> {
-    /// All that a soil has.
-    pub(crate) const ALL: Self = Self { pressure_sinkage: true, shear: true, fitted: &|_| None };
+    /// All that the letter's model takes of a soil.
+    pub(crate) const ALL: Self =
+        Self { pressure_sinkage: true, shear: true, strength: true, granular_stiffness: false, fitted: &|_| None };
+
+    /// What the resistive force method takes of it.
+    pub(crate) const GRAINS: Self =
+        Self { pressure_sinkage: false, shear: false, strength: false, granular_stiffness: true, ..Self::ALL };
+
+    /// What one or the other needs.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            pressure_sinkage: self.pressure_sinkage || other.pressure_sinkage,
+            shear: self.shear || other.shear,
+            strength: self.strength || other.strength,
+            granular_stiffness: self.granular_stiffness || other.granular_stiffness,
+            ..self
+        }
+    }
 }
 
 /// Where the pressure–sinkage law comes from.
@@ -91,8 +120,11 @@ pub(crate) struct FoundSoil {
 pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let preset = Preset::read(object, &PRESET);
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
-    let cohesion = value(&COHESION);
-    let friction_angle = value(&FRICTION_ANGLE);
+    let or_none = |field: &Field<Number>| preset.optional(object, field).map(|value| value.unwrap_or(0.0));
+    let weights = Weights::read(object, &preset);
+    let has_stiffness = weights.as_ref().is_none_or(|weights| weights.granular_stiffness.is_some());
+    let cohesion = if needs.strength { value(&COHESION) } else { or_none(&COHESION) };
+    let friction_angle = if needs.strength || !has_stiffness { value(&FRICTION_ANGLE) } else { or_none(&FRICTION_ANGLE) };
     let shear = shear(object, &preset, needs);
     let lateral_shear_modulus = preset.optional(object, &LATERAL_SHEAR_MODULUS).map(|own| {
         // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
@@ -102,7 +134,7 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         };
         own.or_else(beside_another_law)
     });
-    let unit_weight = preset.optional(object, &UNIT_WEIGHT);
+    let is_stiff = !needs.granular_stiffness || has_grains(object, &preset, weights.as_ref(), friction_angle);
     let pressure_sinkage = pressure_sinkage(object, &preset, needs);
     let (pressure_sinkage, law) = pressure_sinkage?;
     let params = SoilParams {
@@ -110,15 +142,14 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         friction_angle: friction_angle?,
         shear: shear?,
         pressure_sinkage,
-        unit_weight: unit_weight?,
         lateral_shear_modulus: lateral_shear_modulus?,
-        gravity: preset.entry.and_then(SoilRecord::gravity),
         ..SoilParams::BARE
     };
-    if !preset.is_sound {
+    let weights = weights?;
+    if !preset.is_sound || !is_stiff {
         return None;
     }
-    let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let soil = weights.soil(params, law == LawOrigin::Catalogue).map_err(|invalid| object.place().fault(invalid)).ok()?;
     let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
     Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })
@@ -190,4 +221,63 @@ fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
         )),
         _ => preset.missing(object, &PRESSURE_SINKAGE),
     }
+}
+
+/// What the grains of a soil weigh, and where.
+struct Weights {
+    /// What was sent and, apart, what is published.
+    unit_weight: [Option<f64>; 2],
+    bulk_density: Option<f64>,
+    gravity: [Option<f64>; 2],
+    granular_stiffness: Option<f64>,
+}
+
+impl Weights {
+    fn read(object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Option<Self> {
+        let unit_weight = object.optional(&UNIT_WEIGHT);
+        let bulk_density = preset.optional(object, &BULK_DENSITY);
+        let gravity = object.optional(&GRAVITY);
+        let granular_stiffness = object.optional(&GRANULAR_STIFFNESS);
+        // A unit weight that goes with another density follows from the density that was sent.
+        let published = preset.entry.filter(|_| !object.has(&BULK_DENSITY));
+        Some(Self {
+            unit_weight: [unit_weight?, published.and_then(|record| record.number(UNIT_WEIGHT.name))],
+            bulk_density: bulk_density?,
+            gravity: [gravity?, preset.entry.and_then(SoilRecord::gravity)],
+            granular_stiffness: granular_stiffness?,
+        })
+    }
+
+    /// The soil of `params` with these weights. What the catalogue has of it is taken to the gravity that was sent; what was sent
+    /// holds there already.
+    fn soil(&self, params: SoilParams, has_published_law: bool) -> Result<Soil, InvalidInput> {
+        let Self { unit_weight: [unit_weight, published], bulk_density, gravity: [here, measured], granular_stiffness } = *self;
+        let params = SoilParams { bulk_density, granular_stiffness, ..params };
+        let (Some(here), Some(measured)) = (here, measured) else {
+            return Soil::new(SoilParams { unit_weight: unit_weight.or(published), gravity: here.or(measured), ..params });
+        };
+        let of_catalogue = Soil::new(SoilParams { unit_weight: published, gravity: Some(measured), ..params })?;
+        let taken = *of_catalogue.in_gravity(here)?.params();
+        let unit_weight = unit_weight.or(taken.unit_weight);
+        let pressure_sinkage = if has_published_law { taken.pressure_sinkage } else { params.pressure_sinkage };
+        let soil = Soil::new(SoilParams { unit_weight, pressure_sinkage, granular_stiffness, ..taken })?;
+        Ok(if has_published_law { soil.measured_in(measured) } else { soil })
+    }
+}
+
+/// Whether a granular stiffness is there or follows; that it is not is reported.
+fn has_grains(object: &Reader<'_>, preset: &Preset<SoilRecord>, weights: Option<&Weights>, friction_angle: Option<f64>) -> bool {
+    let Some(Weights { bulk_density, granular_stiffness, .. }) = weights else { return false };
+    if granular_stiffness.is_some() {
+        return true;
+    }
+    if bulk_density.is_none() {
+        preset.missing(object, &BULK_DENSITY);
+    }
+    let is_smooth = friction_angle == Some(0.0);
+    if is_smooth {
+        let place = object.place_of(&FRICTION_ANGLE);
+        place.fault("must be greater than 0, because the granular stiffness follows from it; or give `granular_stiffness_n_m3`");
+    }
+    bulk_density.is_some() && !is_smooth
 }
