@@ -119,7 +119,11 @@ impl MethodName {
 }
 
 /// What is sent for a field or holds without; what is wrong with it is reported where it is read.
-fn peek<'a, K: Defaulting>(object: &Reader<'a>, field: &Field<K>, then: impl FnOnce(Option<K::Value<'_>>) -> Needs<'static>) -> Needs<'static> {
+fn peek<'a, K: Defaulting>(
+    object: &Reader<'a>,
+    field: &Field<K>,
+    then: impl FnOnce(Option<K::Value<'_>>) -> Needs<'static>,
+) -> Needs<'static> {
     let faults = Faults::new(&HINTS);
     then(object.at(Scope::root(&faults)).or_default(field))
 }
@@ -139,7 +143,8 @@ pub(crate) fn read(object: &Reader<'_>, peak_depth: Option<PeakDepth>) -> Option
     let closed_forms = ClosedForms::read(object, peak_depth);
     let name = object.or_default(&METHOD_FIELD)?;
     let lambdas = [&LAMBDA_A, &LAMBDA_B].into_iter().filter(|field| name == MethodName::ResistiveForce && object.has(field));
-    let refused = lambdas.map(|field| object.place_of(field).fault("belongs to the method `explicit`; `resistive_force` has no such constant"));
+    let refused = lambdas
+        .map(|field| object.place_of(field).fault("belongs to the method `explicit`; `resistive_force` has no such constant"));
     (refused.count() == 0).then(|| closed_forms.method(name))
 }
 
@@ -164,7 +169,9 @@ pub(crate) fn takes_two_zones(object: &Reader<'_>, method: Method, contact: &Con
     }
     if method == Method::ResistiveForce {
         let place = object.place_of(&BRAKING_FIELD);
-        place.fault("two zones are a law of the shear stress, which the method `resistive_force` does not use; use the quadrature");
+        place.fault(
+            "two zones are a law of the shear stress, which the method `resistive_force` does not use; use the quadrature",
+        );
         return false;
     }
     let refusal = match method {

@@ -36,8 +36,13 @@ const STRAIGHT: [Run; 4] = [by("quadrature"), by("linearised"), by("explicit"), 
 const GRAINS: &str = "resistive_force";
 
 /// A wheel that brakes at every point: also by the other law of braking, which has no closed form.
-const BRAKING: [Run; 5] =
-    [STRAIGHT[0], STRAIGHT[1], STRAIGHT[2], Run { series: "quadrature_two_zone", braking: "two_zone", ..STRAIGHT[0] }, STRAIGHT[3]];
+const BRAKING: [Run; 5] = [
+    STRAIGHT[0],
+    STRAIGHT[1],
+    STRAIGHT[2],
+    Run { series: "quadrature_two_zone", braking: "two_zone", ..STRAIGHT[0] },
+    STRAIGHT[3],
+];
 
 /// At a slip angle: every pair of laws, the defaults of a request first. No closed form has a lateral force, and no slip angle
 /// has two zones.

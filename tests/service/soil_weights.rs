@@ -86,7 +86,10 @@ fn the_catalogue_shows_densities_and_gravity_and_its_soils_can_be_sent() {
             continue;
         }
         let density = &soil["values"]["bulk_density_kg_m3"];
-        assert!(density["source"].as_str().is_some_and(|source| !source.is_empty()) && density["value"] == shown["bulk_density_kg_m3"]);
+        assert!(
+            density["source"].as_str().is_some_and(|source| !source.is_empty())
+                && density["value"] == shown["bulk_density_kg_m3"]
+        );
         let of = |soil: &Value| {
             let body = with(&grains(json!({"soil": null})), json!({"soil": soil}));
             post("/v1/forces", &body).ok()

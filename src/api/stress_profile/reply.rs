@@ -50,8 +50,18 @@ static COLUMNS: [About; 6] = [
     About::new("sinkage_m", "z(θ)", "m", "depth that sets the normal stress there"),
     About::new("normal_stress_pa", "σ", "Pa", "normal stress"),
     About::new("shear_stress_pa", "τ", "Pa", "shear stress"),
-    About::new("normal_stress_linear_pa", "σ", "Pa", "linearised normal stress; null where a braking wheel has two zones, and by the method resistive_force"),
-    About::new("shear_stress_linear_pa", "τ", "Pa", "linearised shear stress; null where a braking wheel has two zones, and by the method resistive_force"),
+    About::new(
+        "normal_stress_linear_pa",
+        "σ",
+        "Pa",
+        "linearised normal stress; null where a braking wheel has two zones, and by the method resistive_force",
+    ),
+    About::new(
+        "shear_stress_linear_pa",
+        "τ",
+        "Pa",
+        "linearised shear stress; null where a braking wheel has two zones, and by the method resistive_force",
+    ),
 ];
 
 impl Shape for AlongRim {

@@ -19,7 +19,8 @@ pub(crate) struct FoundTowed {
 /// # Errors
 /// What the model refuses.
 pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTowed, Problem> {
-    let towed = operation.model.solve_towed(&operation.system, *load).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
+    let towed =
+        operation.model.solve_towed(&operation.system, *load).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
     let outcome = Outcome {
         slip: towed.slip,
         sinkage: towed.sinkage,

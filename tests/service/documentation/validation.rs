@@ -91,7 +91,10 @@ fn the_errors_in_grains_are_those_of_the_service() {
     let tested: Vec<Value> = sets().into_iter().filter(|set| tested.iter().any(|id| set["id"] == *id)).collect();
     let pooled = ["resistive_force", "quadrature"].map(|series| common_errors(&tested, &[series], "drawbar_coefficient"));
     let words = pooled.map(|pooled| pooled.map(|(error, points)| (format!("{error:.3}"), points)).expect("points"));
-    let said = format!("over the {} points of the first five sets it errs by {}, the quadrature by {}", words[0].1, words[0].0, words[1].0);
+    let said = format!(
+        "over the {} points of the first five sets it errs by {}, the quadrature by {}",
+        words[0].1, words[0].0, words[1].0
+    );
     assert!(joined(TEXT).contains(&said), "the text lacks: {said}");
 }
 
