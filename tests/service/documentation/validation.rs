@@ -96,6 +96,13 @@ fn the_errors_in_grains_are_those_of_the_service() {
         words[0].1, words[0].0, words[1].0
     );
     assert!(joined(TEXT).contains(&said), "the text lacks: {said}");
+    let methods = get("/v1/model").ok()["methods"].as_array().expect("methods").clone();
+    let note = methods.into_iter().find(|method| method["method"] == "resistive_force").expect("the method");
+    let said = format!(
+        "over {} points of five public sets the pull errs by {} of the load (quadrature {})",
+        words[0].1, words[0].0, words[1].0
+    );
+    assert!(note["accuracy"].as_str().is_some_and(|accuracy| accuracy.contains(&said)), "the model lacks: {said}");
 }
 
 /// The error of the first series over the points that all of them solve, and their number.
