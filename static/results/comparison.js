@@ -32,7 +32,7 @@ export function showComparison(container, outcomes) {
     return html("tr", { "data-method": method }, rowHead(METHOD_NAMES[method]), ...cells);
   });
   container.replaceChildren(table({ id: "comparison-table" }, {
-    caption: "The three methods at this operating point",
+    caption: "The methods at this operating point",
     heads: [html("tr", {}, ...columnHeads(["Method"]), ...MAIN_SYMBOLS.map((symbol) => html("th", { scope: "col" }, html("i", {}, ...symbolHtml(symbol)))))],
     rows,
   }));
