@@ -1,6 +1,6 @@
 //! Units as they are written.
 
-use crate::warning::number;
+use super::number::number;
 
 /// Unit of a sinkage modulus: it depends on the exponent, so UCUM has no code for it.
 pub(super) const PRESSURE_PER_POWER: &str = "Pa/m^N";

@@ -17,10 +17,11 @@ pub(crate) mod sinkage;
 pub(crate) mod soil;
 pub(crate) mod system;
 pub(crate) mod unknowns;
+mod weights;
 pub(crate) mod wheel;
 
 pub(crate) use documented::{Described, Documented, Shape};
-pub(crate) use refusal::{error_fault, error_pointer};
+pub(crate) use refusal::{error_fault, error_pointer, sinkage_figures};
 
 use terramechanics_reading::{FieldFault, Node, Object, Reader, read};
 

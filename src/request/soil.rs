@@ -1,11 +1,12 @@
 //! The soil of a request.
 
-use terramechanics::{Contact, Direct, InvalidInput, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
+use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
 use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 
 use super::fitted_law;
 use super::laws::{self, own_field};
 use super::preset::Preset;
+use super::weights::{BULK_DENSITY, GRANULAR_STIFFNESS, GRAVITY, UNIT_WEIGHT, Weights};
 use super::{Described, Documented, Shape};
 use crate::catalogue::{self, SoilRecord, is_of_exponent};
 
@@ -20,13 +21,6 @@ const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
 const PRESSURE_SINKAGE: Field<&Tagged> =
     Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
 const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
-const UNIT_WEIGHT: Field<Number> = own_field(&Soil::UNIT_WEIGHT);
-const BULK_DENSITY: Field<Number> = own_field(&Soil::BULK_DENSITY);
-const GRAVITY: Field<Number> = Field {
-    meaning: "Gravity g (m/s²) in which the soil lies; that of the preset unless given, else the Earth's. Where it differs from that of a preset, the preset's weights follow it and its moduli do not.",
-    ..own_field(&Soil::GRAVITY)
-};
-const GRANULAR_STIFFNESS: Field<Number> = own_field(&Soil::GRANULAR_STIFFNESS);
 pub(crate) const SHEAR: Field<&Tagged> =
     Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
@@ -122,9 +116,9 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
     let or_none = |field: &Field<Number>| preset.optional(object, field).map(|value| value.unwrap_or(0.0));
     let weights = Weights::read(object, &preset);
-    let has_stiffness = weights.as_ref().is_none_or(|weights| weights.granular_stiffness.is_some());
+    let follows = needs.granular_stiffness && weights.as_ref().is_some_and(|weights| weights.granular_stiffness.is_none());
     let cohesion = if needs.strength { value(&COHESION) } else { or_none(&COHESION) };
-    let friction_angle = if needs.strength || !has_stiffness { value(&FRICTION_ANGLE) } else { or_none(&FRICTION_ANGLE) };
+    let friction_angle = if needs.strength || follows { value(&FRICTION_ANGLE) } else { or_none(&FRICTION_ANGLE) };
     let shear = shear(object, &preset, needs);
     let lateral_shear_modulus = preset.optional(object, &LATERAL_SHEAR_MODULUS).map(|own| {
         // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
@@ -134,7 +128,8 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         };
         own.or_else(beside_another_law)
     });
-    let is_stiff = !needs.granular_stiffness || has_grains(object, &preset, weights.as_ref(), friction_angle);
+    let is_stiff = !needs.granular_stiffness
+        || weights.as_ref().is_some_and(|weights| weights.are_enough(object, &preset, (&FRICTION_ANGLE, friction_angle)));
     let pressure_sinkage = pressure_sinkage(object, &preset, needs);
     let (pressure_sinkage, law) = pressure_sinkage?;
     let params = SoilParams {
@@ -221,63 +216,4 @@ fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
         )),
         _ => preset.missing(object, &PRESSURE_SINKAGE),
     }
-}
-
-/// What the grains of a soil weigh, and where.
-struct Weights {
-    /// What was sent and, apart, what is published.
-    unit_weight: [Option<f64>; 2],
-    bulk_density: Option<f64>,
-    gravity: [Option<f64>; 2],
-    granular_stiffness: Option<f64>,
-}
-
-impl Weights {
-    fn read(object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Option<Self> {
-        let unit_weight = object.optional(&UNIT_WEIGHT);
-        let bulk_density = preset.optional(object, &BULK_DENSITY);
-        let gravity = object.optional(&GRAVITY);
-        let granular_stiffness = object.optional(&GRANULAR_STIFFNESS);
-        // A unit weight that goes with another density follows from the density that was sent.
-        let published = preset.entry.filter(|_| !object.has(&BULK_DENSITY));
-        Some(Self {
-            unit_weight: [unit_weight?, published.and_then(|record| record.number(UNIT_WEIGHT.name))],
-            bulk_density: bulk_density?,
-            gravity: [gravity?, preset.entry.and_then(SoilRecord::gravity)],
-            granular_stiffness: granular_stiffness?,
-        })
-    }
-
-    /// The soil of `params` with these weights. What the catalogue has of it is taken to the gravity that was sent; what was sent
-    /// holds there already.
-    fn soil(&self, params: SoilParams, has_published_law: bool) -> Result<Soil, InvalidInput> {
-        let Self { unit_weight: [unit_weight, published], bulk_density, gravity: [here, measured], granular_stiffness } = *self;
-        let params = SoilParams { bulk_density, granular_stiffness, ..params };
-        let (Some(here), Some(measured)) = (here, measured) else {
-            return Soil::new(SoilParams { unit_weight: unit_weight.or(published), gravity: here.or(measured), ..params });
-        };
-        let of_catalogue = Soil::new(SoilParams { unit_weight: published, gravity: Some(measured), ..params })?;
-        let taken = *of_catalogue.in_gravity(here)?.params();
-        let unit_weight = unit_weight.or(taken.unit_weight);
-        let pressure_sinkage = if has_published_law { taken.pressure_sinkage } else { params.pressure_sinkage };
-        let soil = Soil::new(SoilParams { unit_weight, pressure_sinkage, granular_stiffness, ..taken })?;
-        Ok(if has_published_law { soil.measured_in(measured) } else { soil })
-    }
-}
-
-/// Whether a granular stiffness is there or follows; that it is not is reported.
-fn has_grains(object: &Reader<'_>, preset: &Preset<SoilRecord>, weights: Option<&Weights>, friction_angle: Option<f64>) -> bool {
-    let Some(Weights { bulk_density, granular_stiffness, .. }) = weights else { return false };
-    if granular_stiffness.is_some() {
-        return true;
-    }
-    if bulk_density.is_none() {
-        preset.missing(object, &BULK_DENSITY);
-    }
-    let is_smooth = friction_angle == Some(0.0);
-    if is_smooth {
-        let place = object.place_of(&FRICTION_ANGLE);
-        place.fault("must be greater than 0, because the granular stiffness follows from it; or give `granular_stiffness_n_m3`");
-    }
-    bulk_density.is_some() && !is_smooth
 }
