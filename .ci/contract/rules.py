@@ -33,6 +33,9 @@ BEYOND_THE_SCHEMA = ["extra_columns"]
 # Fields that no variant has.
 LEFT_OUT = [*BESIDE, *BESIDE_COLUMNS, *BEYOND_THE_SCHEMA, "variants", "bounds", "start", "standard_deviation", "estimator"]
 
+# The method that takes no law of the soil.
+GRAINS = "resistive_force"
+
 # Fields of a wheel that moves at an angle to its plane.
 SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
 
@@ -58,8 +61,11 @@ def before_load_schema(context, raw_schema):
             schema = requiring(schema, [], without=[*BESIDE_COLUMNS, *BEYOND_THE_SCHEMA])
         if groups:
             variants = (chosen(schema, groups, choice) for choice in product(*groups))
-            zoned = (variant for choice in variants for variant in by_zones(choice))
+            laid_apart = (variant for choice in variants for variant in by_soil(choice))
+            zoned = (variant for choice in laid_apart for variant in by_zones(choice))
             schemas[name] = one_of(variant for of in zoned for variant in straight_or_sideways(of))
+        if name == "TowedRequest":
+            schemas[name] = one_of(by_soil(schema))
     wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
     schemas["Wheel"] = one_of(
         [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
@@ -71,6 +77,10 @@ def before_load_schema(context, raw_schema):
         law for law in shear["oneOf"] if law["$ref"] != "#/components/schemas/JanosiHanamotoShear"
     )
     schemas["Soil"] = one_of([requiring(soil, ["preset"]), with_modulus, without_modulus])
+    dense = requiring(soil, ["friction_angle_rad", "bulk_density_kg_m3"], without=["preset"])
+    dense["properties"]["friction_angle_rad"]["minimum"] = 1e-6  # without friction the stiffness has to be given
+    stiff = requiring(soil, ["granular_stiffness_n_m3"], without=["preset", "bulk_density_kg_m3"])
+    schemas["Grains"] = one_of(lawless(of) for of in (dense, stiff))
     measurements(schemas)
 
     # What the schema here no longer has would keep the example from being sent.
@@ -144,12 +154,50 @@ def one_way(parameters):
     others += ["braking", *SIDEWAYS]
     tagged = ("contact.", "slip_sinkage.", "soil.pressure_sinkage.", "soil.shear.")
     kept = [of for of in parameters if of["name"] not in others and not of["name"].startswith(tagged)]
+    for of in kept:
+        if of["name"] == "method":  # few presets have a density
+            of["schema"]["enum"] = [method for method in of["schema"]["enum"] if method != GRAINS]
     return [{**of, "required": of["name"] in given} for of in kept]
+
+
+def by_soil(schema):
+    """The schema with the method of dry grains on a soil for it, and with the other methods on any other soil."""
+    field = "methods" if has(schema, ["methods"]) else "method"
+    if not has(schema, [field]):
+        return [schema]
+    grains, others = requiring(schema, [field]), requiring(schema, [])
+    words = (lambda of: of["properties"]["methods"]["items"]) if field == "methods" else (lambda of: of["properties"]["method"])
+    words(others)["enum"] = [method for method in words(others)["enum"] if method != GRAINS]
+    words(grains)["enum"] = [GRAINS]
+    grains["properties"]["soil"] = {"$ref": "#/components/schemas/Grains"}
+    if field == "methods":
+        others["properties"]["methods"]["maxItems"] -= 1
+    for name in ("lambda_a", "lambda_b"):
+        if has(grains, [name]):
+            grains["properties"][name] = {"type": "null"}
+    if has(grains, ["braking"]):
+        grains["properties"]["braking"]["enum"] = ["one_zone"]
+        grains["properties"]["braking"].pop("default", None)
+    if has(grains, SIDEWAYS):
+        grains = requiring(grains, [], without=SIDEWAYS)
+    return [grains, others]
+
+
+def lawless(soil):
+    """The soil with no law, which the method of dry grains does not miss; tests of the service have both."""
+    for name in ("pressure_sinkage", "shear", "shear_modulus_m"):
+        soil["properties"][name] = {"type": "null"}
+    return soil
+
+
+def is_of_grains(schema):
+    words = schema["properties"].get("method") or schema["properties"].get("methods", {}).get("items", {})
+    return words.get("enum") == [GRAINS]
 
 
 def by_zones(schema):
     """The schema with one zone and any method, and with two zones and the quadrature."""
-    if not has(schema, ["braking"]):
+    if not has(schema, ["braking"]) or is_of_grains(schema):
         return [schema]
     one, two = requiring(schema, []), requiring(schema, ["braking"])
     one["properties"]["braking"]["enum"] = ["one_zone"]
@@ -180,7 +228,7 @@ def chosen(schema, groups, choice):
 
 def straight_or_sideways(schema):
     """The schema with a closed form, which has no lateral force, and with the quadrature, which has one unless of two zones."""
-    if not has(schema, SIDEWAYS):
+    if not has(schema, SIDEWAYS) or is_of_grains(schema):
         return [schema]
     if schema["properties"]["braking"]["enum"] == ["two_zone"]:
         return [requiring(schema, [], without=SIDEWAYS)]

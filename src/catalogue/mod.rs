@@ -22,7 +22,10 @@ pub(crate) use view::{SoilView, WheelView};
 use std::sync::LazyLock;
 
 static WHEELS: LazyLock<Vec<WheelRecord>> = LazyLock::new(|| compiled_in(include_str!("../../catalogue/wheels.json")));
-static SOILS: LazyLock<Vec<SoilRecord>> = LazyLock::new(|| compiled_in(include_str!("../../catalogue/soils.json")));
+static SOILS: LazyLock<Vec<SoilRecord>> = LazyLock::new(|| {
+    let records: Vec<SoilRecord> = compiled_in(include_str!("../../catalogue/soils.json"));
+    records.into_iter().map(SoilRecord::with_gravity).collect()
+});
 
 fn compiled_in<T: serde::de::DeserializeOwned>(text: &str) -> Vec<T> {
     serde_json::from_str(text).expect("the catalogue is compiled in and its tests read it")

@@ -53,6 +53,9 @@ pub(crate) fn soil(soil: &SoilParams) -> Spelled {
         ("shear", shear),
         (Soil::LATERAL_SHEAR_MODULUS.name, soil.lateral_shear_modulus.map(Member::Number)),
         (Soil::UNIT_WEIGHT.name, soil.unit_weight.map(Member::Number)),
+        (Soil::BULK_DENSITY.name, soil.bulk_density.map(Member::Number)),
+        (Soil::GRAVITY.name, soil.gravity.map(Member::Number)),
+        (Soil::GRANULAR_STIFFNESS.name, soil.granular_stiffness.map(Member::Number)),
     ];
     Spelled(members.into_iter().filter_map(|(name, member)| Some((name, member?))).collect())
 }

@@ -18,6 +18,7 @@ pub(crate) mod sinkage;
 pub(crate) mod soil;
 pub(crate) mod system;
 pub(crate) mod unknowns;
+mod weights;
 pub(crate) mod wheel;
 
 pub(crate) use assume::{Accepted, accepted};

@@ -3,8 +3,7 @@
 use terramechanics::{ForceModel, Method, Operation, PeakDepth, Sinkage, Wheel};
 use terramechanics_reading::Reader;
 
-use super::method::{BRAKING_FIELD, NORMAL_STRESS_RADIUS, PEAK_SINKAGE, takes_two_zones};
-use super::soil::Needs;
+use super::method::{self, BRAKING_FIELD, NORMAL_STRESS_RADIUS, PEAK_SINKAGE, takes_two_zones};
 use super::system::{self, System};
 
 /// An operation as far as it could be read.
@@ -22,7 +21,7 @@ pub(crate) fn read(
     sinkage: impl FnOnce(&Reader<'_>, Option<&Wheel>) -> Option<Sinkage>,
     method: impl FnOnce(&Reader<'_>, Option<PeakDepth>) -> Option<Method>,
 ) -> Found {
-    read_with(object, system::read(object, Needs::ALL), sinkage, method)
+    read_with(object, system::read(object, method::needs(object)), sinkage, method)
 }
 
 /// The same with a system that was read in another way.

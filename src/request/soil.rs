@@ -6,6 +6,7 @@ use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
 use super::fitted_law;
 use super::laws::{self, own_field};
 use super::preset::Preset;
+use super::weights::{BULK_DENSITY, GRANULAR_STIFFNESS, GRAVITY, UNIT_WEIGHT, Weights};
 use super::{Described, Documented, Shape};
 use crate::catalogue::{self, SoilRecord, is_of_exponent};
 
@@ -20,7 +21,6 @@ const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
 const PRESSURE_SINKAGE: Field<&Tagged> =
     Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
 const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
-const UNIT_WEIGHT: Field<Number> = own_field(&Soil::UNIT_WEIGHT);
 pub(crate) const SHEAR: Field<&Tagged> =
     Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
@@ -30,7 +30,7 @@ pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
 
 pub(crate) const SOIL: Object = Object {
     name: "Soil",
-    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's.",
     groups: &[&[
         &PRESET,
         &COHESION,
@@ -39,6 +39,9 @@ pub(crate) const SOIL: Object = Object {
         &PRESSURE_SINKAGE,
         &LATERAL_SHEAR_MODULUS,
         &UNIT_WEIGHT,
+        &BULK_DENSITY,
+        &GRAVITY,
+        &GRANULAR_STIFFNESS,
         &SHEAR,
     ]],
 };
@@ -56,13 +59,33 @@ pub(crate) struct Needs<'a> {
     pub(crate) pressure_sinkage: bool,
     /// Whether the shear law has one.
     pub(crate) shear: bool,
+    /// Whether cohesion and friction have one of their own.
+    pub(crate) strength: bool,
+    /// Whether the granular stiffness has one; then it has to be given or to follow.
+    pub(crate) granular_stiffness: bool,
     /// The starts of the parameters that are fitted, by name: they may be absent.
     pub(crate) fitted: &'a dyn Fn(&str) -> Option<f64>,
 }
 
 impl Needs<'static> {
-    /// All that a soil has.
-    pub(crate) const ALL: Self = Self { pressure_sinkage: true, shear: true, fitted: &|_| None };
+    /// All that the letter's model takes of a soil.
+    pub(crate) const ALL: Self =
+        Self { pressure_sinkage: true, shear: true, strength: true, granular_stiffness: false, fitted: &|_| None };
+
+    /// What the resistive force method takes of it.
+    pub(crate) const GRAINS: Self =
+        Self { pressure_sinkage: false, shear: false, strength: false, granular_stiffness: true, ..Self::ALL };
+
+    /// What one or the other needs.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            pressure_sinkage: self.pressure_sinkage || other.pressure_sinkage,
+            shear: self.shear || other.shear,
+            strength: self.strength || other.strength,
+            granular_stiffness: self.granular_stiffness || other.granular_stiffness,
+            ..self
+        }
+    }
 }
 
 /// Where the pressure–sinkage law comes from.
@@ -91,8 +114,11 @@ pub(crate) struct FoundSoil {
 pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let preset = Preset::read(object, &PRESET);
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
-    let cohesion = value(&COHESION);
-    let friction_angle = value(&FRICTION_ANGLE);
+    let or_none = |field: &Field<Number>| preset.optional(object, field).map(|value| value.unwrap_or(0.0));
+    let weights = Weights::read(object, &preset);
+    let follows = needs.granular_stiffness && weights.as_ref().is_some_and(|weights| weights.granular_stiffness.is_none());
+    let cohesion = if needs.strength { value(&COHESION) } else { or_none(&COHESION) };
+    let friction_angle = if needs.strength || follows { value(&FRICTION_ANGLE) } else { or_none(&FRICTION_ANGLE) };
     let shear = shear(object, &preset, needs);
     let lateral_shear_modulus = preset.optional(object, &LATERAL_SHEAR_MODULUS).map(|own| {
         // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
@@ -102,7 +128,8 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         };
         own.or_else(beside_another_law)
     });
-    let unit_weight = preset.optional(object, &UNIT_WEIGHT);
+    let is_stiff = !needs.granular_stiffness
+        || weights.as_ref().is_some_and(|weights| weights.are_enough(object, &preset, (&FRICTION_ANGLE, friction_angle)));
     let pressure_sinkage = pressure_sinkage(object, &preset, needs);
     let (pressure_sinkage, law) = pressure_sinkage?;
     let params = SoilParams {
@@ -110,15 +137,14 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         friction_angle: friction_angle?,
         shear: shear?,
         pressure_sinkage,
-        unit_weight: unit_weight?,
         lateral_shear_modulus: lateral_shear_modulus?,
-        gravity: preset.entry.and_then(SoilRecord::gravity),
         ..SoilParams::BARE
     };
-    if !preset.is_sound {
+    let weights = weights?;
+    if !preset.is_sound || !is_stiff {
         return None;
     }
-    let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let soil = weights.soil(params, law == LawOrigin::Catalogue).map_err(|invalid| object.place().fault(invalid)).ok()?;
     let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
     Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })

@@ -75,7 +75,7 @@ pub(crate) fn ids() -> Vec<&'static str> {
 pub(crate) fn quadratures() -> (usize, usize) {
     let of = |is_sideways: bool| {
         let runs = records().iter().flat_map(|record| record.runs().iter().map(move |run| (record, run)));
-        let by_quadrature = runs.filter(|(_, run)| run.method == "quadrature" && run.side.is_some() == is_sideways);
+        let by_quadrature = runs.filter(|(_, run)| run.is_integral() && run.side.is_some() == is_sideways);
         by_quadrature.map(|(record, _)| record.points().slip.len()).sum()
     };
     let straight = records().iter().filter(|record| record.side_slip.is_none());

@@ -4,11 +4,13 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use terramechanics::Soil;
 use utoipa::ToSchema;
 
 use super::inputs::InputsOfOrigin;
-use super::run::{BRAKING, Run, SIDEWAYS, STRAIGHT};
+use super::run::{Run, runs_of};
 use super::side_slip::SideSlipOfSet;
+use crate::catalogue;
 
 /// How well measurements are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
@@ -109,13 +111,17 @@ impl Record {
 
     /// The ways in which it is run.
     pub(crate) fn runs(&self) -> &'static [Run] {
-        if self.side_slip.is_some() {
-            &SIDEWAYS
-        } else if self.points().slip.iter().all(|slip| *slip < 0.0) {
-            &BRAKING
-        } else {
-            &STRAIGHT
-        }
+        let is_braking = self.points().slip.iter().all(|slip| *slip < 0.0);
+        // A set that shares its measurements differs from the other in laws that grains do not have.
+        let by_grains = self.has_density() && matches!(self.measured, Measured::Points(_));
+        runs_of(self.side_slip.is_some(), is_braking, by_grains)
+    }
+
+    /// Whether the bulk density of the soil is known.
+    fn has_density(&self) -> bool {
+        let name = Soil::BULK_DENSITY.name;
+        let preset = self.soil["preset"].as_str().and_then(catalogue::soil);
+        self.soil[name].is_number() || preset.is_some_and(|record| record.number(name).is_some())
     }
 }
 

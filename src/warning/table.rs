@@ -245,6 +245,12 @@ findings! { many;
     says "the linear stresses are null: no shear stress acts at the peak of a braking wheel with two zones.",
     advises "Choose `one_zone` to get them.";
 
+    "no_linear_stresses" NoLinearStressesInGrains {}
+    means "The linear stresses of a profile by the method resistive_force are null, because it has no linear form."
+    field "/method",
+    says "the linear stresses are null: the method `resistive_force` has no linear form.",
+    advises "Use the quadrature to get them.";
+
     "not_converged" NotConverged { stop: StopReason }
     means "The search for parameters ended before a minimum; stop_reason says why."
     says match stop {

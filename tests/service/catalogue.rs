@@ -120,7 +120,8 @@ fn the_lists_come_as_tables_too() {
     let (laws, shear, rules) = (of("/soil/pressure_sinkage"), of("/soil/shear"), of("/contact"));
     assert!(laws.contains("k_c,k_phi,n0,n1,n2,k_s,k,m") && shear == "residual_ratio,peak_displacement_m" && rules == "c1,c2");
     let soils = format!(
-        "id,name,kind,grade,cohesion_pa,friction_angle_rad,shear_modulus_m,lateral_shear_modulus_m,unit_weight_n_m3,law,{laws},\
+        "id,name,kind,grade,cohesion_pa,friction_angle_rad,shear_modulus_m,lateral_shear_modulus_m,unit_weight_n_m3,\
+         bulk_density_kg_m3,gravity_m_s2,granular_stiffness_n_m3,law,{laws},\
          shear_law,{shear},rule,c3,{rules}"
     );
     for (path, name, columns) in [

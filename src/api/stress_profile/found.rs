@@ -1,6 +1,6 @@
 //! Stresses along the rim.
 
-use terramechanics::{Angles, Error, Outcome, Slip, StressProfile, Stresses, cautions};
+use terramechanics::{Angles, Error, Method, Outcome, Slip, StressProfile, Stresses, cautions};
 
 use super::request::ProfileCase;
 use crate::problem::Problem;
@@ -12,6 +12,8 @@ pub(crate) struct FoundProfile {
     pub(crate) sinkage: f64,
     pub(crate) angles: Angles,
     pub(crate) peak: Stresses,
+    /// Granular stiffness (N/m³), by the method that has one.
+    pub(crate) granular_stiffness: Option<f64>,
     pub(crate) profile: StressProfile,
     pub(crate) warnings: Vec<Warning>,
 }
@@ -26,13 +28,13 @@ pub(crate) fn profile(case: &ProfileCase) -> Result<FoundProfile, Problem> {
 
 fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
     let ProfileCase { operation, motion, peak_depth, points } = case;
-    let rolling = operation.system.rolling(motion.slip)?;
+    let model = &operation.model;
+    let rolling = model.rolling(&operation.system, motion.slip)?;
     let (sinkage, solved) = operation.sinkage_of(&rolling)?;
-    let patch = rolling.contact(sinkage)?;
-    let stresses = patch.stresses()?;
-    let profile = StressProfile::of(&stresses, *points, *peak_depth);
-    let parted = patch.has_two_zones();
-    if !is_finite(&profile, !parted) {
+    let patch = model.contact(&rolling, sinkage)?;
+    let profile = model.profile(&patch, *points, *peak_depth)?;
+    let (parted, in_grains) = (patch.has_two_zones(), model.method == Method::ResistiveForce);
+    if !is_finite(&profile, !parted && !in_grains) {
         return Err(Error::NotFinite);
     }
     let outcome = Outcome {
@@ -47,11 +49,15 @@ fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
     if parted {
         warnings.push(Finding::NoLinearStresses {}.into());
     }
+    if in_grains {
+        warnings.push(Finding::NoLinearStressesInGrains {}.into());
+    }
     if *points < StressProfile::FEWEST_POINTS {
         warnings.push(Finding::PointsRaised { points: profile.theta.len() }.into());
     }
-    let peak = stresses.at(patch.angles.peak);
-    Ok(FoundProfile { slip: motion.slip, sinkage, angles: patch.angles, peak, profile, warnings })
+    let peak = model.stresses_at(&patch, patch.angles.peak)?;
+    let granular_stiffness = operation.system.soil.granular_stiffness().filter(|_| in_grains);
+    Ok(FoundProfile { granular_stiffness, slip: motion.slip, sinkage, angles: patch.angles, peak, profile, warnings })
 }
 
 /// Whether the stresses are finite; the linear ones only where there are any.

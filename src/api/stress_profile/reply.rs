@@ -21,6 +21,10 @@ pub(crate) struct ProfileReply {
     sinkage_m: f64,
     angles: AnglesReply,
     peak: PeakReply,
+    /// Granular stiffness ξ (N/m³); present by the method resistive_force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    granular_stiffness_n_m3: Option<f64>,
     columns: ProfileColumns,
     warnings: Vec<Warning>,
 }
@@ -46,8 +50,18 @@ static COLUMNS: [About; 6] = [
     About::new("sinkage_m", "z(θ)", "m", "depth that sets the normal stress there"),
     About::new("normal_stress_pa", "σ", "Pa", "normal stress"),
     About::new("shear_stress_pa", "τ", "Pa", "shear stress"),
-    About::new("normal_stress_linear_pa", "σ", "Pa", "linearised normal stress; null where a braking wheel has two zones"),
-    About::new("shear_stress_linear_pa", "τ", "Pa", "linearised shear stress; null where a braking wheel has two zones"),
+    About::new(
+        "normal_stress_linear_pa",
+        "σ",
+        "Pa",
+        "linearised normal stress; null where a braking wheel has two zones, and by the method resistive_force",
+    ),
+    About::new(
+        "shear_stress_linear_pa",
+        "τ",
+        "Pa",
+        "linearised shear stress; null where a braking wheel has two zones, and by the method resistive_force",
+    ),
 ];
 
 impl Shape for AlongRim {
@@ -62,13 +76,14 @@ impl Shape for AlongRim {
 
 impl From<FoundProfile> for ProfileReply {
     fn from(found: FoundProfile) -> Self {
-        let FoundProfile { slip, sinkage, angles, peak, profile, warnings } = found;
+        let FoundProfile { slip, sinkage, angles, peak, granular_stiffness, profile, warnings } = found;
         let StressProfile { theta, depth, normal, shear, normal_linear, shear_linear } = profile;
         Self {
             slip: slip.ratio(),
             sinkage_m: sinkage,
             angles: angles.into(),
             peak: PeakReply { normal_stress_pa: peak.normal, shear_stress_pa: peak.shear },
+            granular_stiffness_n_m3: granular_stiffness,
             columns: Columns::of_numbers(&COLUMNS, [theta, depth, normal, shear, normal_linear, shear_linear]),
             warnings,
         }

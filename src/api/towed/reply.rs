@@ -19,16 +19,21 @@ pub(crate) struct TowedReply {
     sinkage_m: f64,
     /// Towing resistance −F_x (N).
     towing_resistance_n: f64,
+    /// Granular stiffness ξ (N/m³); present by the method resistive_force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    granular_stiffness_n_m3: Option<f64>,
     angles: AnglesReply,
     warnings: Vec<Warning>,
 }
 
 impl From<FoundTowed> for TowedReply {
-    fn from(FoundTowed { towed, warnings }: FoundTowed) -> Self {
+    fn from(FoundTowed { towed, granular_stiffness, warnings }: FoundTowed) -> Self {
         Self {
             slip: towed.slip.ratio(),
             sinkage_m: towed.sinkage,
             towing_resistance_n: towed.resistance(),
+            granular_stiffness_n_m3: granular_stiffness,
             angles: towed.angles.into(),
             warnings,
         }

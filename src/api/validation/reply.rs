@@ -118,7 +118,8 @@ impl ValidationResult {
             braking: run.braking,
             shear_coupling: run.side.map(|laws| laws.shear_coupling),
             bulldozing: run.side.map(|laws| laws.bulldozing),
-            fitted: record.fitted_to.is_some(),
+            // No set was fitted by what grains take of a soil.
+            fitted: record.fitted_to.is_some() && !run.is_by_grains(),
             drawbar_rmse_over_load: error("drawbar_coefficient"),
             sinkage_rmse_m: error("sinkage_m"),
             torque_rmse_n_m: error("torque_n_m"),

@@ -50,7 +50,7 @@ const SIDE: Field<Word<Load>> = Field::new("side", "Which load.", SIDES.or(Load:
 const HEIGHT: Field<Number> = Field::required("height_m", "Height (m).", LENGTH);
 const PIER: Object = Object { name: "Pier", doc: "A pier.", groups: &[&[&HEIGHT]] };
 const PIERS: Field<Objects> = Field::new("piers", "The piers.", Objects { object: &PIER, fewest: 0, most: 8 });
-const ALL_SIDES: Field<Words<Load>> = Field::new("sides", "Which loads.", Words { word: SIDES, most: 4, all_unless_given: true });
+const ALL_SIDES: Field<Words<Load>> = Field::new("sides", "Which loads.", Words { word: SIDES, most: 4, first_unless_given: 2 });
 const LIMITS: Field<Bounds> = Field::new("range_m", "Limits (m).", Bounds(LENGTH));
 const NOTE: Field<Label> = Field::new("note", "A note.", Label);
 

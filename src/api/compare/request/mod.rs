@@ -6,17 +6,18 @@ use terramechanics::{ForceModel, Method, Operation, Slip};
 use terramechanics_reading::{Faults, Field, FieldFault, Figures, Object, Reader, Scope, Words};
 
 use crate::request::axis::{self, SLIP_OR_SLIPS};
-use crate::request::method::{BRAKING, ClosedForms, LAMBDAS, METHODS, MethodName, STRESSES, takes_two_zones};
+use crate::request::method::{
+    BRAKING, ClosedForms, LAMBDAS, LETTER_METHODS, METHODS, MethodName, STRESSES, needs_of_all, takes_two_zones,
+};
 use crate::request::sinkage::{self, SINKAGE};
-use crate::request::soil::Needs;
 use crate::request::system::{self, SYSTEM};
 use crate::request::{Documented, Request, operation};
 use variant::VARIANTS;
 
 const METHODS_FIELD: Field<Words<MethodName>> = Field::new(
     "methods",
-    "The methods to compare, all different; the other series are compared with that of the first.",
-    Words { word: METHODS, most: 3, all_unless_given: true },
+    "The methods to compare, all different; the other series are compared with that of the first. Those of the letter unless given: `resistive_force` asks other values of the soil.",
+    Words { word: METHODS, most: METHODS.words.len(), first_unless_given: LETTER_METHODS },
 );
 
 /// Operating points of all series, with those of the quadrature where it is not among the methods.
@@ -37,10 +38,12 @@ pub(crate) struct Variation {
 }
 
 impl Variation {
-    /// The quadrature of the variation, where it is not among the operations.
+    /// The quadrature of the variation, where it is not among the operations and the soil has the laws that it needs.
     pub(crate) fn quadrature_beside(&self) -> Option<Operation> {
         let is_there = self.operations.iter().any(|operation| operation.model.method == Method::Quadrature);
         let first = self.operations.first().filter(|_| !is_there)?;
+        let soil = first.system.soil;
+        soil.shear().and(soil.pressure_sinkage().map(|_| ()))?;
         Some(Operation { model: ForceModel { method: Method::Quadrature, ..first.model }, ..*first })
     }
 }
@@ -101,7 +104,7 @@ fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFaul
 
 /// The operations by every method, with the laws that `variant` has in place of the soil's own.
 fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<Vec<Operation>> {
-    let system = system::read_varied(object, variant, Needs::ALL);
+    let system = system::read_varied(object, variant, needs_of_all(object, &METHODS_FIELD));
     let found = operation::read_with(object, system, sinkage::read, |_, _| Some(Method::Quadrature));
     let closed_forms = ClosedForms::read(object, found.peak_depth);
     let methods = object.or_default(&METHODS_FIELD);

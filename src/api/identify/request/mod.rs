@@ -17,7 +17,7 @@ use crate::request::fitted_law;
 use crate::request::unknowns::{self, BOUNDS_FIELD, By, NAMES, START};
 pub(crate) use data::column_name;
 
-use crate::request::method::{LAMBDAS, METHOD, STRESSES};
+use crate::request::method::{LAMBDAS, METHOD_OF_FIT, STRESSES};
 use crate::request::sinkage::SLIP_SINKAGE;
 use crate::request::soil::LawOrigin;
 use crate::request::system::{CONTACT, SOIL, WHEEL};
@@ -31,7 +31,7 @@ const PARTIAL_SOIL: Field<&Object> = Field {
 const SLIP_SINKAGE_OF_FIT: Field<&Tagged> =
     Field { meaning: "Slip–sinkage law where static_sinkage_m is fitted; lyasko unless given.", ..SLIP_SINKAGE };
 const FIT: Field<Words<Unknown>> =
-    Field::required("fit", "The parameters to find.", Words { word: NAMES, most: NAMES.words.len(), all_unless_given: false });
+    Field::required("fit", "The parameters to find.", Words { word: NAMES, most: NAMES.words.len(), first_unless_given: 0 });
 const STARTS: Field<Number> = Field::new(
     "starts",
     "Number of starts to try; further ones are spread over the values of known soils.",
@@ -95,7 +95,7 @@ impl Request for IdentifyCase {
         doc: "Measurements of a wheel, and which parameters to find from them; what is not fitted has to be known; what is fitted may be left out of the soil and the contact.",
         groups: &[
             &[&WHEEL, &PARTIAL_SOIL, &CONTACT, &ASSUME],
-            METHOD,
+            &[&METHOD_OF_FIT],
             STRESSES,
             LAMBDAS,
             &[&SLIP_SINKAGE_OF_FIT, &FIT, &DATA, &STANDARD_DEVIATION, &START, &BOUNDS_FIELD, &STARTS, &LOSS, &ESTIMATOR],

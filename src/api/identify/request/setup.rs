@@ -50,7 +50,7 @@ pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reade
     let contact = system::read_contact(object, soil.as_ref(), needs);
     let peak_depth = object.optional(&PEAK_SINKAGE);
     let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
-    let method = method::read(object, peak_depth.flatten());
+    let method = method::read_fitted(object, peak_depth.flatten());
     let source = sinkage_source(object, sought, data);
     let setup = || {
         peak_depth?;
