@@ -7,6 +7,7 @@ mod extent;
 mod gravity;
 mod record;
 mod size;
+mod substitutes;
 mod table;
 mod view;
 
@@ -14,6 +15,7 @@ pub(crate) use extent::{CATALOGUE, Outside, outside};
 pub(crate) use gravity::{Gravity, gravity};
 pub(crate) use record::{SoilRecord, WheelRecord};
 pub(crate) use size::{is_of_exponent, size};
+pub(crate) use substitutes::Substitute;
 pub(crate) use table::{soils_table, wheels_table};
 pub(crate) use view::{SoilView, WheelView};
 

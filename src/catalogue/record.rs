@@ -76,11 +76,23 @@ pub(crate) struct SoilRecord {
     pub(super) note: Option<String>,
     /// The pressure–sinkage law to which the values belong, if there are any of one.
     pub(crate) law: Option<String>,
+    /// The soil whose law stands in for one of which values were never published.
+    pub(super) law_substitute: Option<LawSubstitute>,
     /// Largest slip of the wheel tests to which n1 was fitted, where it is known.
     pub(crate) largest_fitted_slip: Option<f64>,
     pub(crate) values: Values,
     pub(super) shear: Option<ShearRecord>,
     pub(super) contact: Option<ContactRecord>,
+}
+
+/// A law that stands in for another.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LawSubstitute {
+    /// The soil that has it.
+    pub(super) soil: String,
+    /// Why that soil.
+    pub(super) reason: String,
 }
 
 /// A shear law other than Janosi–Hanamoto's.

@@ -164,6 +164,7 @@ fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> 
         return Some(None);
     }
     let modulus = modulus.or_else(|| (needs.fitted)(SHEAR_MODULUS.name));
+    let modulus = modulus.or_else(|| preset.assumed(object, &SHEAR_MODULUS));
     if modulus.is_none() {
         preset.missing(object, &SHEAR_MODULUS);
     }
@@ -190,8 +191,11 @@ fn pressure_sinkage(
             Some(law) => Some((Some(law), LawOrigin::Request)),
             None if !needs.pressure_sinkage => Some((None, LawOrigin::Absent)),
             None => {
-                missing_law(object, preset);
-                None
+                let assumed = assumed_law(object, preset);
+                if assumed.is_none() {
+                    missing_law(object, preset);
+                }
+                assumed.map(|law| (Some(law), LawOrigin::Catalogue))
             }
         },
     }
@@ -206,14 +210,29 @@ fn of_fitted(preset: Option<&SoilRecord>, fitted: &dyn Fn(&str) -> Option<f64>) 
     fitted_law::laws().find_map(|law| law.from_named(value).ok())
 }
 
+/// The law of another soil, if it may be assumed; its parameters are then kept for the answer.
+fn assumed_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Option<PressureSinkage> {
+    let record = preset.entry.filter(|_| object.place().may_assume())?;
+    let law = record.lender()?.pressure_sinkage()?;
+    let place = object.place_of(&PRESSURE_SINKAGE);
+    for parameter in law.law().parameters {
+        if let Some(substitute) = record.substitutes().iter().find(|one| one.is_of_law(parameter.name)) {
+            place.field(parameter.name).assume(substitute.value, &substitute.reason);
+        }
+    }
+    Some(law)
+}
+
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
 fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
-    match preset.entry.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
-        Some((record, Some(law), parameters)) => object.place_of(&PRESSURE_SINKAGE).fault(format_args!(
-            "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
-            record.id,
-            parameters.join(", ")
-        )),
-        _ => preset.missing(object, &PRESSURE_SINKAGE),
-    }
+    let Some(record) = preset.entry else { return preset.missing(object, &PRESSURE_SINKAGE) };
+    let lacking = record
+        .law
+        .as_deref()
+        .map_or_else(String::new, |law| format!("; of the law `{law}` it lacks {}", record.missing_of_law().join(", ")));
+    let offer = record.lender().map_or_else(String::new, |lender| {
+        format!("; with \"assume\": true it is the law of `{}`, see `assumed` in /v1/soils/{}", lender.id, record.id)
+    });
+    let place = object.place_of(&PRESSURE_SINKAGE);
+    place.fault(format_args!("is required: the catalogue has no published value for `{}`{lacking}{offer}", record.id));
 }

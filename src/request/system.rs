@@ -3,6 +3,7 @@
 use terramechanics::{Braking, Circles, Contact, ContactParams, PressureSinkage, Wheel, WheelOnSoil};
 use terramechanics_reading::{Field, Group, Object, Reader, Tagged};
 
+use super::assume::ASSUME;
 use super::laws;
 use super::soil::{self, FoundSoil, Needs};
 use super::{Described, Documented, Shape, wheel};
@@ -15,7 +16,7 @@ pub(crate) const CONTACT: Field<&Tagged> = Field::new(
     &laws::CONTACT,
 );
 
-pub(crate) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT];
+pub(crate) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT, &ASSUME];
 
 pub(crate) type PressureSinkageObject = Documented<PressureSinkage>;
 pub(crate) type ContactObject = Documented<Contact>;

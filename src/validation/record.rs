@@ -1,10 +1,13 @@
 //! Sets of measurements as they are kept.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use terramechanics::Soil;
 use utoipa::ToSchema;
 
+use super::inputs::InputsOfOrigin;
 use super::run::{Run, runs_of};
 use super::side_slip::SideSlipOfSet;
 use crate::catalogue;
@@ -29,6 +32,11 @@ pub(crate) enum MeasurementGrade {
 pub(crate) struct Record {
     pub(crate) id: String,
     pub(crate) title: String,
+    /// Where its inputs come from.
+    pub(crate) inputs: Vec<InputsOfOrigin>,
+    /// Measured columns that count in no error, each with the reason.
+    #[serde(default)]
+    pub(crate) not_scored: BTreeMap<String, String>,
     pub(crate) source: String,
     pub(crate) grade: MeasurementGrade,
     pub(crate) note: Option<String>,

@@ -112,6 +112,15 @@ findings! { many;
     },
     advises "Check its unit.";
 
+    "assumed_values" AssumedValues { values: Vec<(String, f64)> }
+    means "Values of a preset that were never published were assumed, as the request allowed: which, and with what value. The answer lists under `assumed` where each comes from."
+    field "/assume",
+    says {
+        let values: Vec<String> = values.iter().map(|(field, value)| format!("`{field}` = {}", number(*value))).collect();
+        format!("never published and assumed: {}.", listed(&values))
+    },
+    advises "Look under `assumed` where each value comes from, and send your own where it is known.";
+
     "no_solution" NoSolution { reason: Reason, pointer: &'static str }
     means "Points of a sweep or samples of a track have no solution: which, and why the first has none."
     about reason.measure(),

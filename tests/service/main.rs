@@ -1,6 +1,7 @@
 //! The service as its clients see it, and the program as its operators do.
 
 mod asking;
+mod assume;
 mod braking;
 mod catalogue;
 mod compare;
@@ -40,5 +41,6 @@ mod track;
 mod track_cells;
 mod track_stream;
 mod validation;
+mod validation_inputs;
 mod validation_laws;
 mod warnings;

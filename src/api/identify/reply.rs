@@ -143,4 +143,8 @@ impl Reply for IdentifyReply {
     fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
+    }
 }

@@ -98,4 +98,8 @@ impl Reply for ProfileReply {
     fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
+    }
 }

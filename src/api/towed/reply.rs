@@ -50,4 +50,8 @@ impl Reply for TowedReply {
     fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
+    }
 }

@@ -6,6 +6,7 @@ use utoipa::ToSchema;
 
 use super::found::FoundTrack;
 use crate::quantity::SampleColumns;
+use crate::reply::AssumedReply;
 use crate::warning::Warning;
 
 /// A wheel over time.
@@ -16,12 +17,17 @@ pub(crate) struct TrackReply {
     /// When the wheel was stuck; the first thousand times.
     events: Vec<EventReply>,
     warnings: Vec<Warning>,
+    /// What was assumed; absent where the request did not allow it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    assumed: Option<Vec<AssumedReply>>,
 }
 
 impl TrackReply {
     /// The columns of a run with its findings.
-    pub(crate) fn of(columns: SampleColumns, FoundTrack { events, warnings, .. }: FoundTrack) -> Self {
-        Self { columns, events: events.iter().map(EventReply::from).collect(), warnings }
+    pub(crate) fn of(columns: SampleColumns, FoundTrack { events, warnings, assumed, .. }: FoundTrack) -> Self {
+        let assumed = assumed.map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
+        Self { columns, events: events.iter().map(EventReply::from).collect(), warnings, assumed }
     }
 }
 

@@ -3,16 +3,17 @@
 use terramechanics::{Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
 use terramechanics_identification::RunningStrength;
 use terramechanics_reading::{
-    Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected, read,
+    Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected,
 };
 
 use super::plan::{self, TrackPlan};
 use super::samples::{self, COLUMNS, Samples};
+use crate::request::assume::accepted_by;
 use crate::request::laws::field_or_default;
 use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
 use crate::request::sinkage::{LOAD, SLIP_SINKAGE, STATIC_SINKAGE, law_beside_static};
 use crate::request::system::SYSTEM;
-use crate::request::{Documented, Request, operation};
+use crate::request::{Accepted, Documented, Request, operation};
 use crate::series::{ExtraColumns, Layout};
 use crate::words::HINTS;
 
@@ -145,8 +146,8 @@ impl Request for TrackCase {
 }
 
 /// The settings of a run whose samples come as a stream, or all their faults.
-pub(crate) fn checked_settings(query: &Node<'_>) -> Result<TrackSettings, Vec<FieldFault>> {
-    read(query, TrackCase::OBJECT, &HINTS, |object| {
+pub(crate) fn checked_settings(query: &Node<'_>) -> Result<Accepted<TrackSettings>, Vec<FieldFault>> {
+    accepted_by(query, TrackCase::OBJECT, |object| {
         if object.has(&COLUMNS_FIELD) {
             object.place_of(&COLUMNS_FIELD).fault("the body has the samples");
         }

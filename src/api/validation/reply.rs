@@ -8,6 +8,7 @@ use utoipa::ToSchema;
 
 use super::columns::{ForceColumns, ValidationColumns};
 use super::found::FoundSet;
+use super::inputs::{InputReply, NotScoredReply, SensitivityReply, inputs, not_scored};
 use crate::reply::Reply;
 use crate::request::soil::SoilObject;
 use crate::request::system::ContactObject;
@@ -47,6 +48,16 @@ pub(crate) struct ValidationSet {
     /// Which parameters were fitted to these very measurements; absent where none were, and the results are predictions.
     #[serde(skip_serializing_if = "Option::is_none")]
     fitted_to: Option<&'static str>,
+    /// Where the inputs of the predictions come from.
+    inputs: Vec<InputReply>,
+    /// Measured columns that count in no error, and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    not_scored: Vec<NotScoredReply>,
+    /// How much of the pull's error hangs on the shear modulus; absent at a slip angle.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    sensitivity: Vec<SensitivityReply>,
     /// Number of points.
     points: usize,
     /// The errors by method, and by the options that differ from the defaults of a request.
@@ -80,7 +91,7 @@ struct ValidationResult {
     drawbar_rmse_over_load: Option<f64>,
     /// Error of the sinkage (m).
     sinkage_rmse_m: Option<f64>,
-    /// Error of the torque (N·m).
+    /// Error of the torque (N·m); null where the measured one is not trusted, see `not_scored`.
     torque_rmse_n_m: Option<f64>,
     /// Error of the lateral force, at each point over its load (–).
     lateral_rmse_over_load: Option<f64>,
@@ -93,6 +104,9 @@ struct ValidationResult {
 impl ValidationResult {
     fn of(record: &Record, prediction: &Prediction, measured: &ForceColumns, predicted: &ForceColumns) -> Self {
         let error = |name: &str| {
+            if record.not_scored.contains_key(name) {
+                return None;
+            }
             let (predicted, measured) = (predicted.get(name)?, measured.get(name)?);
             root_mean_square(predicted.iter().zip(measured).map(|(predicted, measured)| predicted - measured))
         };
@@ -117,7 +131,7 @@ impl ValidationResult {
 }
 
 impl From<FoundSet> for ValidationSet {
-    fn from(FoundSet { record, predictions, warnings }: FoundSet) -> Self {
+    fn from(FoundSet { record, predictions, sensitivity, warnings }: FoundSet) -> Self {
         let columns = ValidationColumns::of(record, &predictions);
         let predicted = predictions.iter().zip(columns.predicted.each());
         let results =
@@ -133,6 +147,9 @@ impl From<FoundSet> for ValidationSet {
             contact: record.contact.as_ref(),
             slip_angle_rad: record.side_slip.map(|side| side.angle()),
             fitted_to: record.fitted_to.as_deref(),
+            inputs: inputs(record),
+            not_scored: not_scored(record),
+            sensitivity: sensitivity.into_iter().map(SensitivityReply::from).collect(),
             points: record.points().slip.len(),
             results: results.collect(),
             columns,
@@ -148,5 +165,9 @@ impl Reply for ValidationSet {
 
     fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
     }
 }

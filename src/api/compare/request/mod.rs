@@ -12,7 +12,6 @@ use crate::request::method::{
 use crate::request::sinkage::{self, SINKAGE};
 use crate::request::system::{self, SYSTEM};
 use crate::request::{Documented, Request, operation};
-use crate::words::HINTS;
 use variant::VARIANTS;
 
 const METHODS_FIELD: Field<Words<MethodName>> = Field::new(
@@ -97,8 +96,9 @@ impl Request for CompareCase {
 
 /// The operations of the request as it stands, and what is wrong with them.
 fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFault>) {
-    let faults = Faults::new(&HINTS);
+    let faults = Faults::apart(object.place());
     let operations = operations(&object.at(Scope::root(&faults)), None);
+    object.place().assume_all(faults.assumptions().unwrap_or_default());
     (operations, faults.into_list())
 }
 

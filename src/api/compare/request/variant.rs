@@ -7,7 +7,6 @@ use crate::request::method::{BRAKING_FIELD, BRAKING_LAWS, NORMAL_STRESS_RADIUS};
 use crate::request::sinkage::SLIP_SINKAGE;
 use crate::request::soil::{VARIED_PRESSURE_SINKAGE, VARIED_SHEAR};
 use crate::request::system::CONTACT;
-use crate::words::HINTS;
 
 const NAME: Field<Label> =
     Field::required("name", "What the variant is called in the answer; no other has the same name.", Label);
@@ -55,7 +54,7 @@ pub(super) fn operations(
     (variant, index): (&Reader<'_>, usize),
     faults: &[FieldFault],
 ) -> Option<Vec<Operation>> {
-    let found = Faults::new(&HINTS);
+    let found = Faults::apart(request.place());
     let root = Scope::root(&found);
     let list = root.field(VARIANTS.name).item(index);
     let own = format!("{}/", list.pointer());
@@ -63,6 +62,7 @@ pub(super) fn operations(
         let varying = variant.at(list);
         super::operations(&request.at(root).overlaid(&varying), Some(&varying))
     };
+    request.place().assume_all(found.assumptions().unwrap_or_default());
     for fault in found.into_list() {
         if fault.pointer.starts_with(&own) {
             request.place().pass_on(fault);
