@@ -142,10 +142,10 @@ pub(crate) fn needs_of_all(object: &Reader<'_>, field: &Field<Words<MethodName>>
 pub(crate) fn read(object: &Reader<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
     let closed_forms = ClosedForms::read(object, peak_depth);
     let name = object.or_default(&METHOD_FIELD)?;
-    let lambdas = [&LAMBDA_A, &LAMBDA_B].into_iter().filter(|field| name == MethodName::ResistiveForce && object.has(field));
-    let refused = lambdas
-        .map(|field| object.place_of(field).fault("belongs to the method `explicit`; `resistive_force` has no such constant"));
-    (refused.count() == 0).then(|| closed_forms.method(name))
+    for field in [&LAMBDA_A, &LAMBDA_B].into_iter().filter(|field| name == MethodName::ResistiveForce && object.has(field)) {
+        object.place_of(field).fault("belongs to the method `explicit`; `resistive_force` has no such constant");
+    }
+    Some(closed_forms.method(name))
 }
 
 /// The method, of a request that has one of integrals.

@@ -40,7 +40,7 @@ pub(crate) fn read(object: &Reader<'_>, method: Option<Method>) -> Option<Method
                 _ => "the closed forms have no lateral force",
             };
             object.place_of(&SLIP_ANGLE).fault(format_args!("is taken by the method `quadrature` only: {of_others}"));
-            None
+            Some(method)
         }
         method => Some(method),
     }

@@ -131,6 +131,8 @@ fn what_the_method_does_not_take_is_refused_where_it_stands() {
     ] {
         assert_eq!(post("/v1/forces", &grains(changes)).pointers(), [pointer]);
     }
+    let all = json!({"slip": -0.2, "slip_angle_rad": 0.1, "braking": "two_zone", "lambda_a": 0.5, "lambda_b": 0});
+    assert_eq!(post("/v1/forces", &grains(all)).pointers(), ["/lambda_a", "/lambda_b", "/slip_angle_rad", "/braking"]);
     let load = json!({"slip": null, "sinkage_m": null, "normal_load_n": 100, "braking": "two_zone"});
     assert_eq!(post("/v1/towed", &grains(load)).pointers(), ["/braking"]);
     assert_eq!(post("/v1/stress-profile", &grains(json!({"braking": "two_zone"}))).pointers(), ["/braking"]);

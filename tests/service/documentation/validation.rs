@@ -79,6 +79,9 @@ fn the_errors_in_grains_are_those_of_the_service() {
             Some(preset) => get(&format!("/v1/soils/{preset}")).ok()["soil"]["bulk_density_kg_m3"].clone(),
             None => set["soil"]["bulk_density_kg_m3"].clone(),
         };
+        let inputs = set["inputs"].as_array().expect("inputs");
+        let named = inputs.iter().find(|input| input["name"] == "soil.bulk_density_kg_m3").expect("a source of the density");
+        assert_eq!(named["value"].as_f64(), density.as_f64(), "{}", set["id"]);
         let mut cells = vec![format!("`{}`", set["id"].as_str().expect("an id")), rounded(&density, 1.0, 0)];
         cells.extend([&results[0], grains].map(|result| over_load(result, "drawbar_rmse_over_load")));
         cells.extend([&results[0], grains].map(|result| rounded(&result["sinkage_rmse_m"], 1e3, 1)));
