@@ -4,6 +4,7 @@
 //! request of an operation, which stands in its room, names its groups of fields and calls their readers.
 
 pub(crate) mod axis;
+pub(crate) mod circles;
 mod documented;
 pub(crate) mod fitted_law;
 pub(crate) mod laws;

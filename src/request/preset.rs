@@ -1,6 +1,6 @@
 //! Entries of the catalogue that a request names, and what it sends in place of their values.
 
-use terramechanics_reading::{Field, Lookup, Number, Reader};
+use terramechanics_reading::{Field, Lookup, Number, Reader, Scope};
 
 use crate::catalogue::{SoilRecord, WheelRecord};
 
@@ -56,14 +56,13 @@ impl<E: Entry> Preset<E> {
     pub(crate) fn value(&self, object: &Reader<'_>, field: &Field<Number>, otherwise: Option<f64>) -> Option<f64> {
         let value = self.optional(object, field)?.or(otherwise);
         if value.is_none() {
-            self.missing(object, field);
+            self.missing(&object.place_of(field));
         }
         value
     }
 
     /// Reports that there is no value, neither in the request nor published.
-    pub(crate) fn missing<K>(&self, object: &Reader<'_>, field: &Field<K>) {
-        let place = object.place_of(field);
+    pub(crate) fn missing(&self, place: &Scope<'_>) {
         match self.entry {
             Some(entry) => {
                 place.fault(format_args!("is required: the catalogue has no published value for `{}`", entry.id()));

@@ -1,7 +1,7 @@
 //! The soil of a request.
 
 use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
-use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
+use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Scope, Tagged};
 
 use super::fitted_law;
 use super::laws::{self, own_field};
@@ -30,7 +30,7 @@ pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
 
 pub(crate) const SOIL: Object = Object {
     name: "Soil",
-    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in the closed forms under a load that is known beside the sinkage, in /v1/coupled and in the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
     groups: &[&[
         &PRESET,
         &COHESION,
@@ -85,6 +85,7 @@ pub(crate) struct FoundSoil {
     /// The contact that the catalogue measured with it.
     pub(crate) contact: Option<Contact>,
     pub(crate) law: LawOrigin,
+    entry: Option<&'static SoilRecord>,
 }
 
 /// The soil, from the request and the preset it names.
@@ -121,7 +122,23 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
     let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
-    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })
+    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law, entry: preset.entry })
+}
+
+impl FoundSoil {
+    /// A soil that stands for none.
+    pub(crate) fn bare(soil: Soil) -> Self {
+        Self { soil, contact: None, law: LawOrigin::Absent, entry: None }
+    }
+
+    /// Reports at the soil's `place` that the pressure–sinkage law is lacking, where it is; false where it did.
+    pub(crate) fn has_law(&self, place: &Scope<'_>) -> bool {
+        let is_there = self.soil.pressure_sinkage().is_some();
+        if !is_there {
+            missing_law(&place.field(PRESSURE_SINKAGE.name), &Preset { entry: self.entry, is_sound: true });
+        }
+        is_there
+    }
 }
 
 /// The shear law, if there is one; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
@@ -139,7 +156,7 @@ fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> 
     }
     let modulus = modulus.or_else(|| (needs.fitted)(SHEAR_MODULUS.name));
     if modulus.is_none() {
-        preset.missing(object, &SHEAR_MODULUS);
+        preset.missing(&object.place_of(&SHEAR_MODULUS));
     }
     modulus.map(|modulus| Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus })))
 }
@@ -164,7 +181,7 @@ fn pressure_sinkage(
             Some(law) => Some((Some(law), LawOrigin::Request)),
             None if !needs.pressure_sinkage => Some((None, LawOrigin::Absent)),
             None => {
-                missing_law(object, preset);
+                missing_law(&object.place_of(&PRESSURE_SINKAGE), preset);
                 None
             }
         },
@@ -181,13 +198,13 @@ fn of_fitted(preset: Option<&SoilRecord>, fitted: &dyn Fn(&str) -> Option<f64>) 
 }
 
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
-fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
+fn missing_law(place: &Scope<'_>, preset: &Preset<SoilRecord>) {
     match preset.entry.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
-        Some((record, Some(law), parameters)) => object.place_of(&PRESSURE_SINKAGE).fault(format_args!(
+        Some((record, Some(law), parameters)) => place.fault(format_args!(
             "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
             record.id,
             parameters.join(", ")
         )),
-        _ => preset.missing(object, &PRESSURE_SINKAGE),
+        _ => preset.missing(place),
     }
 }

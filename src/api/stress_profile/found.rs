@@ -1,6 +1,9 @@
 //! Stresses along the rim.
 
-use terramechanics::{Angles, Error, Outcome, Slip, StressProfile, Stresses, cautions};
+use terramechanics::{
+    Circles, Error, NormalStressFrom, OperatingPoint, Outcome, PressureCurve, SoilLaw, StressField, StressProfile, Stresses,
+    cautions,
+};
 
 use super::request::ProfileCase;
 use crate::problem::Problem;
@@ -8,11 +11,12 @@ use crate::warning::{Finding, Warning, of_point};
 
 /// The stresses along the rim, and at their peak.
 pub(crate) struct FoundProfile {
-    pub(crate) slip: Slip,
-    pub(crate) sinkage: f64,
-    pub(crate) angles: Angles,
+    pub(crate) circles: Circles,
+    pub(crate) point: OperatingPoint,
     pub(crate) peak: Stresses,
     pub(crate) profile: StressProfile,
+    /// Pressure over depth: the soil's, or what the load shows.
+    pub(crate) curve: PressureCurve,
     pub(crate) warnings: Vec<Warning>,
 }
 
@@ -26,23 +30,20 @@ pub(crate) fn profile(case: &ProfileCase) -> Result<FoundProfile, Problem> {
 
 fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
     let ProfileCase { operation, motion, peak_depth, points } = case;
-    let rolling = operation.system.rolling(motion.slip)?;
-    let (sinkage, solved) = operation.sinkage_of(&rolling)?;
-    let patch = rolling.contact(sinkage)?;
-    let stresses = patch.stresses()?;
+    let point = operation.at(motion.slip)?;
+    let curve = point.curve.ok_or(Error::MissingLaw(SoilLaw::PressureSinkage))?;
+    let rolling = match point.normal_stress_from {
+        NormalStressFrom::Soil => operation.system.rolling(motion.slip)?,
+        NormalStressFrom::Load => operation.system.rolling_under_load(motion.slip)?,
+    };
+    let patch = rolling.contact(point.sinkage)?;
+    let stresses = StressField { patch: &patch, curve: &curve };
     let profile = StressProfile::of(&stresses, *points, *peak_depth);
     let parted = patch.has_two_zones();
     if !is_finite(&profile, !parted) {
         return Err(Error::NotFinite);
     }
-    let outcome = Outcome {
-        slip: motion.slip,
-        sinkage,
-        normal: solved.map(|forces| forces.normal),
-        integration_error: solved.map_or(0.0, |forces| forces.integration_error),
-        mobilised_share: None,
-        standstill_normal: None,
-    };
+    let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
     let mut warnings = of_point(cautions(operation, &outcome), &operation.system, motion.heading);
     if parted {
         warnings.push(Finding::NoLinearStresses {}.into());
@@ -51,7 +52,7 @@ fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
         warnings.push(Finding::PointsRaised { points: profile.theta.len() }.into());
     }
     let peak = stresses.at(patch.angles.peak);
-    Ok(FoundProfile { slip: motion.slip, sinkage, angles: patch.angles, peak, profile, warnings })
+    Ok(FoundProfile { circles: operation.system.contact.circles(), point, peak, profile, curve, warnings })
 }
 
 /// Whether the stresses are finite; the linear ones only where there are any.

@@ -1,6 +1,6 @@
 //! A wheel that is towed and rolls freely.
 
-use terramechanics::{Heading, Outcome, Towed, cautions};
+use terramechanics::{Circles, Heading, Outcome, Towed, cautions};
 
 use super::request::TowedCase;
 use crate::problem::Problem;
@@ -9,6 +9,7 @@ use crate::warning::{Warning, of_point};
 /// How a towed wheel rolls.
 pub(crate) struct FoundTowed {
     pub(crate) towed: Towed,
+    pub(crate) circles: Circles,
     pub(crate) warnings: Vec<Warning>,
 }
 
@@ -27,5 +28,5 @@ pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTo
         standstill_normal: None,
     };
     let warnings = of_point(cautions(operation, &outcome), &operation.system, Heading::Forward);
-    Ok(FoundTowed { towed, warnings })
+    Ok(FoundTowed { towed, circles: operation.system.contact.circles(), warnings })
 }

@@ -3,6 +3,7 @@
 use terramechanics::{Braking, ForceModel, Method, Operation, Sinkage, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Reader, Word};
 
+use crate::request::circles::CIRCLES;
 use crate::request::method::{BRAKING_FIELD, BRAKING_LAWS};
 use crate::request::sinkage::LOAD;
 use crate::request::soil::Needs;
@@ -29,7 +30,7 @@ impl Request for TowedCase {
     const OBJECT: &'static Object = &Object {
         name: "TowedRequest",
         doc: "A wheel that is towed and rolls freely under a load. With two zones only c3 of the contact is used, because the stresses peak where the zones meet.",
-        groups: &[SYSTEM, &[&NORMAL_LOAD, &BRAKING]],
+        groups: &[SYSTEM, CIRCLES, &[&NORMAL_LOAD, &BRAKING]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {

@@ -1,6 +1,6 @@
 //! What a run over samples says of itself when it is over.
 
-use terramechanics::{Channel, CulpritTally, Event, Status, Tally, Tracker};
+use terramechanics::{Channel, Circles, CulpritTally, Event, NormalStressFrom, Status, Tally, Tracker};
 use terramechanics_identification::{RunningStrength, StrengthTally};
 
 use super::plan::TrackPlan;
@@ -11,6 +11,8 @@ use crate::warning::{BeyondRange, Finding, Reason, Rows, Warning, of_system};
 #[derive(Debug)]
 pub(crate) struct FoundTrack {
     pub(crate) rows: u64,
+    pub(crate) circles: Circles,
+    pub(crate) normal_stress_from: NormalStressFrom,
     pub(crate) events: Vec<Event>,
     pub(crate) warnings: Vec<Warning>,
 }
@@ -40,7 +42,13 @@ impl FoundTrack {
         if left_out > 0 {
             warnings.push(Finding::EventsLeftOut { events: left_out }.into());
         }
-        Self { rows: tracker.rows(), events: events.to_vec(), warnings }
+        Self {
+            rows: tracker.rows(),
+            circles: tracker.system().contact.circles(),
+            normal_stress_from: plan.normal_stress_from(),
+            events: events.to_vec(),
+            warnings,
+        }
     }
 }
 

@@ -45,7 +45,7 @@ impl Table {
     }
 
     /// The lines after the last row of a whole answer.
-    pub(crate) fn end(&self, FoundTrack { rows, events, warnings }: &FoundTrack, out: &mut Vec<u8>) {
+    pub(crate) fn end(&self, FoundTrack { rows, events, warnings, .. }: &FoundTrack, out: &mut Vec<u8>) {
         let events: Vec<EventReply> = events.iter().map(EventReply::from).collect();
         match self.format {
             RowFormat::Csv => {

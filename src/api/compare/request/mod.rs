@@ -6,9 +6,9 @@ use terramechanics::{ForceModel, Method, Operation, Slip};
 use terramechanics_reading::{Faults, Field, FieldFault, Figures, Object, Reader, Scope, Words};
 
 use crate::request::axis::{self, SLIP_OR_SLIPS};
+use crate::request::circles::CIRCLES;
 use crate::request::method::{BRAKING, ClosedForms, LAMBDAS, METHODS, MethodName, STRESSES, takes_two_zones};
 use crate::request::sinkage::{self, SINKAGE};
-use crate::request::soil::Needs;
 use crate::request::system::{self, SYSTEM};
 use crate::request::{Documented, Request, operation};
 use crate::words::HINTS;
@@ -38,10 +38,11 @@ pub(crate) struct Variation {
 }
 
 impl Variation {
-    /// The quadrature of the variation, where it is not among the operations.
+    /// The quadrature of the variation, where it is not among the operations and the soil has the law that it needs.
     pub(crate) fn quadrature_beside(&self) -> Option<Operation> {
         let is_there = self.operations.iter().any(|operation| operation.model.method == Method::Quadrature);
         let first = self.operations.first().filter(|_| !is_there)?;
+        first.system.soil.pressure_sinkage()?;
         Some(Operation { model: ForceModel { method: Method::Quadrature, ..first.model }, ..*first })
     }
 }
@@ -60,7 +61,7 @@ impl Request for CompareCase {
     const OBJECT: &'static Object = &Object {
         name: "CompareRequest",
         doc: "The forces at one slip, or over a range or a list of slips, by several methods and laws at once. The fields are those of a slip sweep straight ahead, with `methods` for `method`; `slip` may be one number. Every method is applied to the request as it stands and to each of its `variants`; with all their series, and the quadrature where it is not among the methods, there may be 100000 operating points.",
-        groups: &[SYSTEM, &[&SLIP_OR_SLIPS], SINKAGE, &[&METHODS_FIELD], STRESSES, BRAKING, LAMBDAS, &[&VARIANTS]],
+        groups: &[SYSTEM, CIRCLES, &[&SLIP_OR_SLIPS], SINKAGE, &[&METHODS_FIELD], STRESSES, BRAKING, LAMBDAS, &[&VARIANTS]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
@@ -101,14 +102,15 @@ fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFaul
 
 /// The operations by every method, with the laws that `variant` has in place of the soil's own.
 fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<Vec<Operation>> {
-    let system = system::read_varied(object, variant, Needs::ALL);
+    let system = system::read_varied(object, variant, operation::needs(object));
     let found = operation::read_with(object, system, sinkage::read, |_, _| Some(Method::Quadrature));
     let closed_forms = ClosedForms::read(object, found.peak_depth);
     let methods = object.or_default(&METHODS_FIELD);
-    let operation = found.operation?;
+    let (operation, soil) = (found.operation?, found.soil?);
     let by_method = |name: MethodName| {
         let method = closed_forms.method(name);
-        let is_taken = takes_two_zones(object, method, &operation.system.contact);
+        let has_law = operation::has_its_law(object, &method, &soil);
+        let is_taken = has_law && takes_two_zones(object, method, &operation.system.contact);
         is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
     };
     methods?.into_iter().map(by_method).collect()

@@ -12,6 +12,7 @@ use terramechanics_reading::{Field, FieldFault, Number, Object, Reader, Tagged, 
 
 use self::data::{DATA, STANDARD_DEVIATION};
 use self::setup::Found;
+use crate::request::circles::CIRCLES;
 use crate::request::fitted_law;
 use crate::request::unknowns::{self, BOUNDS_FIELD, By, NAMES, START};
 pub(crate) use data::column_name;
@@ -94,6 +95,7 @@ impl Request for IdentifyCase {
         doc: "Measurements of a wheel, and which parameters to find from them; what is not fitted has to be known; what is fitted may be left out of the soil and the contact.",
         groups: &[
             &[&WHEEL, &PARTIAL_SOIL, &CONTACT],
+            CIRCLES,
             METHOD,
             STRESSES,
             LAMBDAS,

@@ -6,6 +6,7 @@ use terramechanics_reading::Reader;
 
 use super::data::{DATA, NORMAL, SINKAGE};
 use super::{PARTIAL_SOIL, SLIP_SINKAGE_OF_FIT};
+use crate::request::circles;
 use crate::request::fitted_law;
 use crate::request::method::{self, NORMAL_STRESS_RADIUS, PEAK_SINKAGE};
 use crate::request::sinkage;
@@ -47,7 +48,7 @@ pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reade
     let needs = Needs { pressure_sinkage: sought.needs_law, fitted: &start_of, ..Needs::ALL };
     let wheel = system::read_wheel(object);
     let soil = read_soil(object, sought, needs);
-    let contact = system::read_contact(object, soil.as_ref(), needs);
+    let contact = system::read_contact(object, soil.as_ref(), circles::read(object), needs);
     let peak_depth = object.optional(&PEAK_SINKAGE);
     let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
     let method = method::read(object, peak_depth.flatten());
