@@ -3,17 +3,17 @@
 use terramechanics::{Braking, Circles, Contact, ContactParams, PressureSinkage, Wheel, WheelOnSoil};
 use terramechanics_reading::{Field, Group, Object, Reader, Tagged};
 
-use super::circles;
 use super::laws;
 use super::soil::{self, FoundSoil, Needs};
 use super::{Described, Documented, Shape, wheel};
+use super::{circles, contact};
 
 pub(crate) const WHEEL: Field<&Object> = Field::required("wheel", "The wheel.", &wheel::WHEEL);
 pub(crate) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &soil::SOIL);
 pub(crate) const CONTACT: Field<&Tagged> = Field::new(
     "contact",
     "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.",
-    &laws::CONTACT,
+    &contact::FORMS,
 );
 
 pub(crate) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT];
@@ -26,7 +26,7 @@ impl Described for PressureSinkage {
 }
 
 impl Described for Contact {
-    const SHAPE: Shape = Shape::Tagged(&laws::CONTACT);
+    const SHAPE: Shape = Shape::Tagged(&contact::FORMS);
 }
 
 /// The parts of a system as far as they could be read.
@@ -84,9 +84,8 @@ pub(crate) fn read_contact(
     circles: Option<Circles>,
     needs: Needs<'_>,
 ) -> Option<Contact> {
-    let Some(chosen) = object.chosen(&CONTACT, needs.fitted)? else {
+    let Some(params) = contact::read(object, &CONTACT, needs)? else {
         return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT).with_circles(circles?));
     };
-    let params = ContactParams { circles: circles?, ..laws::contact(&chosen)? };
-    Contact::new(params).map_err(|invalid| object.place_of(&CONTACT).fault(invalid)).ok()
+    contact::checked(object, &CONTACT, ContactParams { circles: circles?, ..params })
 }

@@ -3,6 +3,7 @@
 mod asking;
 mod braking;
 mod catalogue;
+mod circles;
 mod compare;
 mod connections;
 mod contract;
@@ -15,6 +16,8 @@ mod forces;
 mod heavy;
 mod http1;
 mod identify;
+mod interface;
+mod known_load;
 mod log;
 mod page;
 mod presets;
