@@ -14,12 +14,18 @@ from itertools import product
 
 import schemathesis
 
-# Alternatives of which a request that has them all takes exactly one, whole.
-SINKAGE = (["sinkage_m"], ["static_sinkage_m"], ["normal_load_n"])
+# Alternatives of which a request that has them all takes exactly one, whole. The load may also stand beside a sinkage.
+SINKAGE = (
+    ["sinkage_m"],
+    ["static_sinkage_m"],
+    ["normal_load_n"],
+    ["sinkage_m", "normal_load_n"],
+    ["static_sinkage_m", "normal_load_n"],
+)
 SLIP = (["slip"], ["forward_velocity_m_s", "angular_velocity_rad_s"])
 
 # The same of a run over samples.
-TRACKED_SINKAGE = (["static_sinkage_m"], ["normal_load_n"])
+TRACKED_SINKAGE = (["static_sinkage_m"], ["normal_load_n"], ["static_sinkage_m", "normal_load_n"])
 
 # Fields that have a meaning only beside another.
 BESIDE = {"slip_sinkage": "static_sinkage_m"}
@@ -82,6 +88,8 @@ def before_load_schema(context, raw_schema):
     stiff = requiring(soil, ["granular_stiffness_n_m3"], without=["preset", "bulk_density_kg_m3"])
     schemas["Grains"] = one_of(lawless(of) for of in (dense, stiff))
     measurements(schemas)
+    exits(schemas)
+    schemas["CoupledRequest"] = coupled(schemas["CoupledRequest"])
 
     # What the schema here no longer has would keep the example from being sent.
     compared = raw_schema["paths"]["/v1/compare"]["post"]["requestBody"]["content"]["application/json"]
@@ -132,6 +140,21 @@ def measurements(schemas):
     plain["properties"]["fit"]["items"]["enum"] = ["cohesion_pa", "friction_angle_rad", "n0", "n1"]
     plain["properties"]["fit"]["maxItems"] = 4
     schemas["IdentifyRequest"] = plain
+
+
+def exits(schemas):
+    """Contacts that end by c3, and those that end by the ratio of the sinkages."""
+    for name in [reference["$ref"].rpartition("/")[2] for reference in schemas["Contact"]["oneOf"]]:
+        contact = schemas[name]
+        schemas[name] = one_of([requiring(contact, [], without=["exit"]), requiring(contact, ["exit"], without=["c3"])])
+
+
+def coupled(schema):
+    """With a measured torque no soil is needed, without one it is. What says how to slip was chosen before."""
+    of_each = [
+        [requiring(way, ["soil"], without=["torque_n_m"]), requiring(way, ["torque_n_m"])] for way in schema["oneOf"]
+    ]
+    return one_of(way for ways in of_each for way in ways)
 
 
 def samples(columns):

@@ -5,6 +5,8 @@
 
 pub(crate) mod assume;
 pub(crate) mod axis;
+pub(crate) mod circles;
+mod contact;
 mod documented;
 pub(crate) mod fitted_law;
 pub(crate) mod laws;

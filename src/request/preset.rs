@@ -86,7 +86,7 @@ impl<E: Entry> Preset<E> {
         Some(substitute.value)
     }
 
-    /// Reports that there is no value, neither in the request nor published.
+    /// Reports that a field has no value, neither in the request nor published.
     pub(crate) fn missing<K>(&self, object: &Reader<'_>, field: &Field<K>) {
         let place = object.place_of(field);
         match self.entry {

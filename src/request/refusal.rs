@@ -15,7 +15,8 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         },
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
-        Error::PeakOutsideContact { .. } | Error::InterfaceBeyondSoil { .. } => "/contact",
+        Error::PeakOutsideContact { .. } => "/contact",
+        Error::InterfaceBeyondSoil { .. } => "/contact/interface",
         Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
         Error::LoadNotCoupled { .. } => "/slip",
         Error::LoadBeyondCapacity { .. }

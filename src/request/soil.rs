@@ -1,7 +1,7 @@
 //! The soil of a request.
 
 use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
-use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
+use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Scope, Tagged};
 
 use super::fitted_law;
 use super::laws::{self, own_field};
@@ -30,7 +30,7 @@ pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
 
 pub(crate) const SOIL: Object = Object {
     name: "Soil",
-    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's.",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in the closed forms under a load that is known beside the sinkage, in /v1/coupled and in the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's.",
     groups: &[&[
         &PRESET,
         &COHESION,
@@ -108,6 +108,7 @@ pub(crate) struct FoundSoil {
     /// The contact that the catalogue measured with it.
     pub(crate) contact: Option<Contact>,
     pub(crate) law: LawOrigin,
+    entry: Option<&'static SoilRecord>,
 }
 
 /// The soil, from the request and the preset it names.
@@ -147,7 +148,23 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let soil = weights.soil(params, law == LawOrigin::Catalogue).map_err(|invalid| object.place().fault(invalid)).ok()?;
     let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
-    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })
+    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law, entry: preset.entry })
+}
+
+impl FoundSoil {
+    /// A soil that stands for none.
+    pub(crate) fn bare(soil: Soil) -> Self {
+        Self { soil, contact: None, law: LawOrigin::Absent, entry: None }
+    }
+
+    /// Reports at the soil's `place` that the pressure–sinkage law is lacking, where it is; false where it did.
+    pub(crate) fn has_law(&self, place: &Scope<'_>) -> bool {
+        let is_there = self.soil.pressure_sinkage().is_some();
+        if !is_there {
+            missing_law(&place.field(PRESSURE_SINKAGE.name), &Preset { entry: self.entry, is_sound: true });
+        }
+        is_there
+    }
 }
 
 /// The shear law, if there is one; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
@@ -193,7 +210,7 @@ fn pressure_sinkage(
             None => {
                 let assumed = assumed_law(object, preset);
                 if assumed.is_none() {
-                    missing_law(object, preset);
+                    missing_law(&object.place_of(&PRESSURE_SINKAGE), preset);
                 }
                 assumed.map(|law| (Some(law), LawOrigin::Catalogue))
             }
@@ -224,8 +241,14 @@ fn assumed_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Option<Press
 }
 
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
-fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
-    let Some(record) = preset.entry else { return preset.missing(object, &PRESSURE_SINKAGE) };
+fn missing_law(place: &Scope<'_>, preset: &Preset<SoilRecord>) {
+    let Some(record) = preset.entry else {
+        // What was sent for the preset was reported.
+        if preset.is_sound {
+            place.fault("is required");
+        }
+        return;
+    };
     let lacking = record
         .law
         .as_deref()
@@ -233,6 +256,5 @@ fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
     let offer = record.lender().map_or_else(String::new, |lender| {
         format!("; with \"assume\": true it is the law of `{}`, see `assumed` in /v1/soils/{}", lender.id, record.id)
     });
-    let place = object.place_of(&PRESSURE_SINKAGE);
     place.fault(format_args!("is required: the catalogue has no published value for `{}`{lacking}{offer}", record.id));
 }

@@ -68,6 +68,7 @@ fn case(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> R
     let mut body = run.fields();
     body["wheel"] = record.wheel.clone();
     body["soil"] = record.soil.clone();
+    body["slip_radius"] = record.slip_radius.as_str().into();
     body["slip"] = record.slip()[row].into();
     body["normal_load_n"] = points.load()[row].into();
     if let Some(contact) = record.contact_at(points.slip[row]) {

@@ -45,6 +45,10 @@ pub(crate) struct Record {
     pub(crate) contact: Option<Value>,
     /// Where the wheel moved at a slip angle: its slips are then those of travel, and the contact goes with them.
     pub(crate) side_slip: Option<SideSlipOfSet>,
+    /// Circle on which the slip was counted, as a request has it.
+    pub(crate) slip_radius: String,
+    /// Whether the source says so; else it is assumed.
+    pub(crate) slip_radius_stated: bool,
     /// What of the parameters was fitted to these measurements.
     pub(crate) fitted_to: Option<String>,
     measured: Measured,

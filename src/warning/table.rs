@@ -391,6 +391,18 @@ findings! { many;
     },
     advises "Check the units of the data (SI).";
 
+    "may_be_the_interface" MayBeTheInterface { parameters: Vec<&'static str> }
+    means "The wheel has no lugs: a bare rim slips on the grains before the soil shears in itself, so that the strength and the shear modulus that a fit finds may be those between rim and soil."
+    field "/contact",
+    names parameters.clone(),
+    says format!(
+        "the wheel has no lugs, so that {} may belong to the interface of rim and soil. The soil by itself is stronger and shears over \
+         a longer way.",
+        quoted(parameters)
+    ),
+    advises "Use the values for wheels like this one, or give those of the soil and fit `interface_friction_angle_rad` and \
+             `interface_shear_modulus_m`.";
+
     "law_replaced" LawReplaced {}
     means "`k_s` is fitted, so the law `direct` replaces that of the preset."
     says "`k_s` is fitted, so the law `direct` replaces that of the preset and keeps its exponents.",

@@ -20,7 +20,7 @@ pub(crate) struct FoundForces {
 /// What the model refuses.
 pub(crate) fn forces(&ForcesCase { operation, motion }: &ForcesCase) -> Result<FoundForces, Problem> {
     let point = operation.at(motion.slip).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
-    let outcome = Outcome::from(&point);
+    let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
     let warnings = of_point(cautions(&operation, &outcome), &operation.system, motion.heading);
     Ok(FoundForces { operation, motion, point, warnings })
 }

@@ -1,6 +1,6 @@
 //! A wheel that is towed and rolls freely.
 
-use terramechanics::{Heading, Method, Outcome, Towed, cautions};
+use terramechanics::{Circles, Heading, Method, Outcome, Towed, cautions};
 
 use super::request::TowedCase;
 use crate::problem::Problem;
@@ -11,6 +11,7 @@ pub(crate) struct FoundTowed {
     pub(crate) towed: Towed,
     /// Granular stiffness (N/m³), by the method that has one.
     pub(crate) granular_stiffness: Option<f64>,
+    pub(crate) circles: Circles,
     pub(crate) warnings: Vec<Warning>,
 }
 
@@ -32,5 +33,6 @@ pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTo
     let warnings = of_point(cautions(operation, &outcome), &operation.system, Heading::Forward);
     let in_grains = operation.model.method == Method::ResistiveForce;
     let granular_stiffness = operation.system.soil.granular_stiffness().filter(|_| in_grains);
-    Ok(FoundTowed { towed, granular_stiffness, warnings })
+    let circles = operation.system.contact.circles();
+    Ok(FoundTowed { towed, granular_stiffness, circles, warnings })
 }

@@ -3,6 +3,7 @@
 use terramechanics::{Braking, ForceModel, Method, Operation, Sinkage, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Reader, Word};
 
+use crate::request::circles::CIRCLES;
 use crate::request::method::{self, BRAKING_FIELD, BRAKING_LAWS, INTEGRALS, takes_two_zones};
 use crate::request::sinkage::LOAD;
 use crate::request::system::{self, SYSTEM};
@@ -28,7 +29,7 @@ impl Request for TowedCase {
     const OBJECT: &'static Object = &Object {
         name: "TowedRequest",
         doc: "A wheel that is towed and rolls freely under a load. With two zones only c3 of the contact is used, because the stresses peak where the zones meet.",
-        groups: &[SYSTEM, &[&NORMAL_LOAD], INTEGRALS, &[&BRAKING]],
+        groups: &[SYSTEM, CIRCLES, &[&NORMAL_LOAD], INTEGRALS, &[&BRAKING]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {

@@ -1,6 +1,6 @@
 //! What a run over samples says of itself when it is over.
 
-use terramechanics::{Channel, CulpritTally, Event, Status, Tally, Tracker};
+use terramechanics::{Channel, Circles, CulpritTally, Event, NormalStressFrom, Status, Tally, Tracker};
 use terramechanics_identification::{RunningStrength, StrengthTally};
 use terramechanics_reading::Assumption;
 
@@ -12,6 +12,8 @@ use crate::warning::{BeyondRange, Finding, Reason, Rows, Warning, of_assumptions
 #[derive(Debug)]
 pub(crate) struct FoundTrack {
     pub(crate) rows: u64,
+    pub(crate) circles: Circles,
+    pub(crate) normal_stress_from: NormalStressFrom,
     pub(crate) events: Vec<Event>,
     pub(crate) warnings: Vec<Warning>,
     /// What was assumed of the request; no list where nothing may be.
@@ -43,7 +45,14 @@ impl FoundTrack {
         if left_out > 0 {
             warnings.push(Finding::EventsLeftOut { events: left_out }.into());
         }
-        Self { rows: tracker.rows(), events: events.to_vec(), warnings, assumed: None }
+        Self {
+            rows: tracker.rows(),
+            circles: tracker.system().contact.circles(),
+            normal_stress_from: plan.normal_stress_from(),
+            events: events.to_vec(),
+            warnings,
+            assumed: None,
+        }
     }
 
     /// With what was assumed of the request.

@@ -46,7 +46,7 @@ impl Table {
     }
 
     /// The lines after the last row of a whole answer.
-    pub(crate) fn end(&self, FoundTrack { rows, events, warnings, assumed }: &FoundTrack, out: &mut Vec<u8>) {
+    pub(crate) fn end(&self, FoundTrack { rows, events, warnings, assumed, .. }: &FoundTrack, out: &mut Vec<u8>) {
         let events: Vec<EventReply> = events.iter().map(EventReply::from).collect();
         match self.format {
             RowFormat::Csv => {

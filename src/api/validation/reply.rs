@@ -45,6 +45,11 @@ pub(crate) struct ValidationSet {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     slip_angle_rad: Option<f64>,
+    /// Circle on which the slips were counted, `rim`, `shearing` or `lug_tip`, ready for a request.
+    #[schema(example = "shearing")]
+    slip_radius: &'static str,
+    /// Whether the source says so; else the rim is assumed. Without lugs it does not matter.
+    slip_radius_stated: bool,
     /// Which parameters were fitted to these very measurements; absent where none were, and the results are predictions.
     #[serde(skip_serializing_if = "Option::is_none")]
     fitted_to: Option<&'static str>,
@@ -146,6 +151,8 @@ impl From<FoundSet> for ValidationSet {
             soil: &record.soil,
             contact: record.contact.as_ref(),
             slip_angle_rad: record.side_slip.map(|side| side.angle()),
+            slip_radius: &record.slip_radius,
+            slip_radius_stated: record.slip_radius_stated,
             fitted_to: record.fitted_to.as_deref(),
             inputs: inputs(record),
             not_scored: not_scored(record),

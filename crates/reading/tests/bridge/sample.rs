@@ -23,8 +23,15 @@ static LAWS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
         Variant { name: "hollow", doc: "A hollow beam.", fields: Cow::Borrowed(&[WIDTH, WALL]) },
     ]
 });
-const BEAM_LAW: Tagged =
-    Tagged { name: "Beam", doc: "A beam.", tag: "law", meaning: "Kind of the beam.", suffix: "Beam", variants: || &LAWS };
+const BEAM_LAW: Tagged = Tagged {
+    name: "Beam",
+    doc: "A beam.",
+    tag: "law",
+    meaning: "Kind of the beam.",
+    suffix: "Beam",
+    variants: || &LAWS,
+    also: &[],
+};
 const BEAM: Field<&Tagged> = Field::required("beam", "The beam.", &BEAM_LAW);
 
 const FORCE: Number = Number::new("N", 0.0, 1e9);

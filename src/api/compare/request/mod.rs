@@ -6,6 +6,7 @@ use terramechanics::{ForceModel, Method, Operation, Slip};
 use terramechanics_reading::{Faults, Field, FieldFault, Figures, Object, Reader, Scope, Words};
 
 use crate::request::axis::{self, SLIP_OR_SLIPS};
+use crate::request::circles::CIRCLES;
 use crate::request::method::{
     BRAKING, ClosedForms, LAMBDAS, LETTER_METHODS, METHODS, MethodName, STRESSES, needs_of_all, takes_two_zones,
 };
@@ -62,7 +63,7 @@ impl Request for CompareCase {
     const OBJECT: &'static Object = &Object {
         name: "CompareRequest",
         doc: "The forces at one slip, or over a range or a list of slips, by several methods and laws at once. The fields are those of a slip sweep straight ahead, with `methods` for `method`; `slip` may be one number. Every method is applied to the request as it stands and to each of its `variants`; with all their series, and the quadrature where it is not among the methods, there may be 100000 operating points.",
-        groups: &[SYSTEM, &[&SLIP_OR_SLIPS], SINKAGE, &[&METHODS_FIELD], STRESSES, BRAKING, LAMBDAS, &[&VARIANTS]],
+        groups: &[SYSTEM, CIRCLES, &[&SLIP_OR_SLIPS], SINKAGE, &[&METHODS_FIELD], STRESSES, BRAKING, LAMBDAS, &[&VARIANTS]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
@@ -104,14 +105,16 @@ fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFaul
 
 /// The operations by every method, with the laws that `variant` has in place of the soil's own.
 fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<Vec<Operation>> {
-    let system = system::read_varied(object, variant, needs_of_all(object, &METHODS_FIELD));
+    let needs = operation::beside_load(object, needs_of_all(object, &METHODS_FIELD));
+    let system = system::read_varied(object, variant, needs);
     let found = operation::read_with(object, system, sinkage::read, |_, _| Some(Method::Quadrature));
     let closed_forms = ClosedForms::read(object, found.peak_depth);
     let methods = object.or_default(&METHODS_FIELD);
-    let operation = found.operation?;
+    let (operation, soil) = (found.operation?, found.soil?);
     let by_method = |name: MethodName| {
         let method = closed_forms.method(name);
-        let is_taken = takes_two_zones(object, method, &operation.system.contact);
+        let has_law = operation::has_its_law(object, &method, &soil);
+        let is_taken = has_law && takes_two_zones(object, method, &operation.system.contact);
         is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
     };
     methods?.into_iter().map(by_method).collect()

@@ -3,6 +3,7 @@
 use terramechanics::{Braking, NormalStressRadius, Operation};
 use terramechanics_reading::{Faults, Field, FieldFault, Label, Object, Objects, Reader, Scope, Tagged, Word};
 
+use crate::request::circles::VARIED_CIRCLES;
 use crate::request::method::{BRAKING_FIELD, BRAKING_LAWS, NORMAL_STRESS_RADIUS};
 use crate::request::sinkage::SLIP_SINKAGE;
 use crate::request::soil::{VARIED_PRESSURE_SINKAGE, VARIED_SHEAR};
@@ -21,15 +22,10 @@ const VARIED_RADIUS: Field<Word<NormalStressRadius>> =
 const VARIANT: Object = Object {
     name: "CompareVariant",
     doc: "The request with other laws: what stands here takes the place of the request's own.",
-    groups: &[&[
-        &NAME,
-        &VARIED_SHEAR,
-        &VARIED_PRESSURE_SINKAGE,
-        &VARIED_CONTACT,
-        &VARIED_SLIP_SINKAGE,
-        &VARIED_BRAKING,
-        &VARIED_RADIUS,
-    ]],
+    groups: &[
+        &[&NAME, &VARIED_SHEAR, &VARIED_PRESSURE_SINKAGE, &VARIED_CONTACT, &VARIED_SLIP_SINKAGE, &VARIED_BRAKING, &VARIED_RADIUS],
+        VARIED_CIRCLES,
+    ],
 };
 pub(super) const VARIANTS: Field<Objects> = Field::new(
     "variants",
