@@ -70,7 +70,7 @@ fn the_errors_beside_those_of_others_are_those_of_the_service() {
             number(&result["drawbar_rmse_over_load"])
         })
     };
-    let mut rows: Vec<Vec<String>> = ["quadrature", "linearised", "explicit"]
+    let mut rows: Vec<Vec<String>> = ["quadrature", "linearised", "explicit", "resistive_force"]
         .iter()
         .map(|series| row(&format!("this service, {series}"), &ours(series)))
         .collect();
