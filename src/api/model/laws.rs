@@ -121,9 +121,7 @@ fn exits() -> LawFamily {
 pub(super) fn parameters() -> Vec<ParameterNote> {
     let wheel = WheelParams::PARAMETERS.iter().map(|of| ParameterNote::of(of, "/wheel", &[]));
     let soil = Soil::PARAMETERS.iter().map(|of| ParameterNote::of(of, "/soil", Soil::FITTABLE));
-    let interface = Interface::PARAMETERS.iter().map(|of| ParameterNote {
-        fittable: true, // under a name of its own
-        ..ParameterNote::of(of, "/contact/interface", &[])
-    });
+    // A fit finds them under names of their own.
+    let interface = Interface::PARAMETERS.iter().map(|of| ParameterNote::of(of, "/contact/interface", &[]));
     wheel.chain(soil).chain(interface).collect()
 }
