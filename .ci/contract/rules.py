@@ -18,6 +18,9 @@ import schemathesis
 SINKAGE = (["sinkage_m"], ["static_sinkage_m"], ["normal_load_n"])
 SLIP = (["slip"], ["forward_velocity_m_s", "angular_velocity_rad_s"])
 
+# The same of one operating point, whose slip may be solved from its pull.
+SOLVED_SLIP = (*SLIP, ["longitudinal_force_n"], ["drawbar_coefficient"])
+
 # The same of a run over samples.
 TRACKED_SINKAGE = (["static_sinkage_m"], ["normal_load_n"])
 
@@ -46,7 +49,8 @@ NOT_PUBLISHED = "is required: the catalogue has no published value"
 def before_load_schema(context, raw_schema):
     schemas = raw_schema["components"]["schemas"]
     for name, schema in schemas.items():
-        groups = [group for group in (SINKAGE, SLIP) if has(schema, sum(group, []))]
+        slip = SOLVED_SLIP if has(schema, sum(SOLVED_SLIP, [])) else SLIP
+        groups = [group for group in (SINKAGE, slip) if has(schema, sum(group, []))]
         if name == "TrackColumns":
             schema = samples(schema)
         if name == "CompareRequest":
@@ -140,7 +144,7 @@ def one_way(parameters):
     given = ["wheel.preset", "soil.preset", "sinkage_m", "slip", "slip.from", "slip.to", "slip.points"]
     if "sinkage_m" not in {of["name"] for of in parameters}:
         given.append("normal_load_n")
-    others = [name for group in (SINKAGE, SLIP) for way in group for name in way if name not in given]
+    others = [name for group in (SINKAGE, SOLVED_SLIP) for way in group for name in way if name not in given]
     others += ["braking", *SIDEWAYS]
     tagged = ("contact.", "slip_sinkage.", "soil.pressure_sinkage.", "soil.shear.")
     kept = [of for of in parameters if of["name"] not in others and not of["name"].startswith(tagged)]

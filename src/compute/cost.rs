@@ -105,6 +105,12 @@ impl Cost {
         Self { usual: usual + Point::ROW, price: if is_solved { SOLVED } else { price } }
     }
 
+    /// The cost of the slip that gives a pull: it usually takes some thirty operating points, and at most some 1500.
+    pub(crate) fn of_solved_slip(operation: &Operation) -> Self {
+        let Point { usual, .. } = Point::of(operation);
+        Self { usual: 30.0 * usual + Point::ROW, price: ALLOWANCE }
+    }
+
     /// The cost of `points` operating points for each of several operations, and of writing their rows.
     pub(crate) fn of_points(operations: impl IntoIterator<Item = Operation>, points: usize) -> Self {
         let count = points as f64;

@@ -47,7 +47,7 @@ impl Prediction {
 /// The operating point of a row, or why there is none.
 fn point(record: &Record, run: &Run, row: usize) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
     let query = query(record, run, row).map_err(Reason::Request)?;
-    let point = query.operation.at(query.motion.slip).map_err(Reason::Model)?;
+    let (_, point) = query.point().map_err(Reason::Model)?;
     let cautions = cautions(&query.operation, &Outcome::from(&point)).collect();
     Ok((point, cautions))
 }

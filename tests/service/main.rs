@@ -26,6 +26,7 @@ mod running;
 mod server;
 mod side_force;
 mod slip_sweep;
+mod solved_slip;
 mod stopping;
 mod strength;
 mod stress_profile;

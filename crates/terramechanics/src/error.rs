@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::fault::Fault;
 use crate::parameter::Parameter;
+use crate::pull::{Nearest, Pull};
 
 /// Why valid parts, put together, have no answer.
 ///
@@ -76,6 +77,17 @@ pub enum Error {
         slip: f64,
         /// The torque there (N·m).
         torque: f64,
+    },
+    /// No slip gives the pull that was asked for.
+    PullOutOfReach {
+        /// The pull asked for.
+        pull: Pull,
+        /// The pull that comes nearest, in the unit of the one asked for.
+        reached: f64,
+        /// The slip that gives it (–).
+        slip: f64,
+        /// How it lies to the pulls of all other slips.
+        nearest: Nearest,
     },
     /// The soil does not carry the load at any sinkage up to the wheel's radius.
     LoadBeyondCapacity {
@@ -222,6 +234,14 @@ impl fmt::Display for Error {
                 Digits(slip),
                 Digits(torque)
             ),
+            Self::PullOutOfReach { pull, reached, slip, nearest } => {
+                let (asked, unit) = match pull {
+                    Pull::Force(force) => (force, " N"),
+                    Pull::Coefficient(coefficient) => (coefficient, " of the normal force"),
+                };
+                let (asked, reached, slip) = (Digits(asked), Digits(reached), Digits(slip));
+                write!(f, "no slip gives a pull of {asked}{unit}: {} is {reached}{unit}, at a slip of {slip}", nearest.in_words())
+            }
             Self::LoadBeyondCapacity { load, largest, sinkage } => write!(
                 f,
                 "the soil does not carry {} N: the largest load it carries is {} N, at a sinkage of {} m",
