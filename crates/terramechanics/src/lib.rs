@@ -14,7 +14,7 @@
 //! [`ForceModel::forces_under`]. A wheel with lugs has three circles, and [`Circles`] say on which of them displacement and slip are
 //! counted.
 //!
-//! Beside that way: [`Operation::solve_slip`] finds the slip that gives a pull, [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
+//! Beside that way: [`Operation::solve_slip`] finds the slip that gives a pull, [`Vehicle`] a rover on a slope, [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
 //! [`Coupled`] finds torque and pull from a load that is measured, [`pull_from_torque()`] the pull from load and torque without a soil,
 //! [`Resistances`] are the classical estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 //!
@@ -28,6 +28,7 @@ mod caution;
 mod circles;
 mod contact;
 mod coupled;
+mod digits;
 mod errata;
 mod error;
 mod events;
@@ -66,6 +67,7 @@ mod stress;
 mod sweep;
 mod towed;
 mod track;
+mod vehicle;
 mod wheel;
 mod zones;
 
@@ -108,4 +110,8 @@ pub use stress::{StressField, Stresses};
 pub use sweep::{SlipSweep, SweepRow};
 pub use towed::Towed;
 pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
+pub use vehicle::{
+    CentreOfMass, Driven, LargestSlope, OnSlope, SlopeLimit, Station, Unloading, Vehicle, VehicleError, VehicleParams,
+    VehicleWheel,
+};
 pub use wheel::{Wheel, WheelParams};

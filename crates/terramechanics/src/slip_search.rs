@@ -14,6 +14,9 @@ use crate::pull::Nearest;
 /// Samples on one side of 0.
 const STEPS: u32 = 24;
 
+/// Samples for the largest pull, which need only find the hump.
+const FEW_STEPS: u32 = 8;
+
 /// Halvings that close in on the last slip with a solution.
 const HALVINGS: u32 = 30;
 
@@ -76,7 +79,7 @@ pub(crate) fn largest_pull(mut pull: impl FnMut(f64) -> Result<f64, Error>, most
             None
         }
     };
-    let slips = (0..=STEPS).map(|i| place(most, i));
+    let slips = (0..=FEW_STEPS).map(|i| place(most, i, FEW_STEPS));
     let samples: Vec<Option<Sample>> = slips.map(&mut at).collect();
     let Some((i, highest)) = highest(&samples, |sample| sample.y) else { return Err(refusal.unwrap_or(Error::NotFinite)) };
     let Some((before, after)) = neighbours(&samples, i) else { return Ok(highest) };
@@ -84,9 +87,9 @@ pub(crate) fn largest_pull(mut pull: impl FnMut(f64) -> Result<f64, Error>, most
     Ok(summit.filter(|summit| summit.y > highest.y).unwrap_or(highest))
 }
 
-/// The slip at a step of the walk from 0 to `end`.
-fn place(end: f64, step: u32) -> f64 {
-    end * (f64::from(step) / f64::from(STEPS)).powi(2)
+/// The slip at a step of the walk from 0 to `end` in so many steps.
+fn place(end: f64, step: u32, steps: u32) -> f64 {
+    end * (f64::from(step) / f64::from(steps)).powi(2)
 }
 
 /// The sample of the highest score, with its index.
@@ -168,7 +171,7 @@ impl<F: FnMut(f64) -> Result<f64, Error>> Search<F> {
         let mut samples: Vec<Option<Sample>> = vec![start];
         let (mut jumps, mut has_edge) = (0, false);
         for i in 1..=STEPS {
-            let slip = place(end, i);
+            let slip = place(end, i, STEPS);
             let before = samples.last().copied().flatten();
             let here = self.at(slip);
             samples.push(here);
@@ -181,7 +184,7 @@ impl<F: FnMut(f64) -> Result<f64, Error>> Search<F> {
                 }
                 (None, Some(known)) if !has_edge && i > 1 => {
                     has_edge = true;
-                    self.beside_gap(known, place(end, i - 1)).map(|(known, other)| (other, known))
+                    self.beside_gap(known, place(end, i - 1, STEPS)).map(|(known, other)| (other, known))
                 }
                 _ => None,
             };
