@@ -24,7 +24,11 @@ function assertConverted(shown, { detail: sentence, unit, perSi }) {
   assert.equal(words(plain), words(detail));
 }
 
-/** `told` is in the fault as it stands; `converted` is the service's sentence, with the unit it is to be shown in. */
+/**
+ * `told` is in the fault as it stands; `converted` is the service's sentence, with the unit it is to be shown in.
+ * @param {import("playwright-core").Page} page
+ * @param {{ name: string, pointer: string, told?: string, converted?: { detail: string, unit: string, perSi: number } }} expected
+ */
 async function assertFault(page, { name, pointer, told, converted }) {
   await faulty(page);
   const fault = page.locator(`[data-fault="${pointer}"]`);
@@ -85,10 +89,10 @@ check("a slip beyond spinning is told in per cent", async (page) => {
   await assertFault(page, { name: "slip", pointer: "/slip", converted: { detail, unit: "%", perSi: 100 } });
 }, { refused: true });
 
-check("lengths within a sentence are told in millimetres", async (page) => {
+check("a bound that another input sets is told in millimetres, with that input", async (page) => {
   await open(page);
   await box(page, "sinkage").fill("300");
-  await assertFault(page, { name: "sinkage", pointer: "/sinkage_m", told: "the sinkage 300\u00a0mm must be greater than 0 and at most the wheel's radius 200\u00a0mm" });
+  await assertFault(page, { name: "sinkage", pointer: "/sinkage_m", told: "must be from 0.000001\u00a0mm to 200\u00a0mm (“Rim radius”), not 300\u00a0mm" });
 }, { refused: true });
 
 check("a comma is not guessed at", async (page) => {
@@ -225,7 +229,7 @@ check("a soil without a shear modulus asks for one", async (page) => {
   page.on("response", (response) => { if (response.status() === 422) refused.push(response.url()); });
   await page.selectOption("#soil", soil.preset);
   await assertFault(page, { name: "shear_modulus", pointer: "/soil/shear_modulus_m", told: told.replaceAll("`", "") });
-  assert.match(await page.innerText("#status"), /^Shear deformation modulus K is required: /);
+  assert.match(await page.innerText("#status"), /^Shear deformation modulus K: is required: /);
   assert.equal(await page.locator("#status code").count(), 1, "the quoted name stands as code");
   assert.deepEqual(refused.map((url) => new URL(url).pathname), ["/v1/forces"], "a missing value is asked for once");
   await box(page, "shear_modulus").fill("10");

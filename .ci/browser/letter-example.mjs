@@ -13,7 +13,8 @@ const INTEGRATED = {
 };
 
 check("before the first answer the page shows its parts and says that it waits", async (page) => {
-  let release;
+  /** @type {(value?: unknown) => void} */
+  let release = () => {};
   const released = new Promise((resolve) => { release = resolve; });
   await page.route("**/v1/**", async (route) => {
     // The fields are made from this.

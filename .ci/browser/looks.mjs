@@ -61,6 +61,7 @@ check("a fault fits on a narrow screen and opens its group", async (page) => {
 /** Runs in the browser: contrasts to the background they stand on. */
 function contrasts() {
   const canvas = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true });
+  if (!canvas) throw new Error("there is no canvas to draw colours on");
   const luminance = (colour) => {
     canvas.clearRect(0, 0, 1, 1);
     canvas.fillStyle = colour;

@@ -130,6 +130,28 @@ check("own values of Bekker's law give way to the direct law as a preset's do, a
   assert.match(await page.innerText("#fit-status"), /^Untick the sinkage modulus K_s, or the cohesive modulus/);
 });
 
+check("what a fit leaves open is told in the names and units of the page", async (page) => {
+  await open(page);
+  const { columns } = await ask("/v1/slip-sweep", { ...LETTER, slip: SLIPS });
+  const thousandfold = SLIPS.map((slip, row) => [slip, 20, ...["longitudinal_force_n", "normal_force_n", "torque_n_m"].map((name) => 3000 * columns[name][row])]);
+  await dropFile(page, ["slip,z mm,Fx N,Fz N,T", ...thousandfold.map((cells) => cells.join(","))].join("\n"));
+  for (const name of ["friction_angle_rad", "n0"]) await page.uncheck(`[data-fit="${name}"]`);
+  await page.check('[data-fit="cohesion_pa"]');
+  const [response] = await Promise.all([page.waitForResponse("**/v1/identify"), page.click("#fit-soil")]);
+  const { warnings, estimates } = await response.json();
+  await page.waitForSelector('#identification[data-state="fitted"]');
+  const told = (code) => page.$$eval(`#fit-warnings [data-warning="${code}"]`, (items) => items.map(({ textContent }) => (textContent ?? "").replaceAll("\u00a0", " ").replaceAll("\u202f", "")));
+  const bound = warnings.find(({ code, quantity }) => code === "at_bound" && quantity === "cohesion_pa");
+  assert.deepEqual([bound.value, bound.end], [0, "lower"]);
+  assert.equal((await told("at_bound"))[0], `Cohesion lies at its lower bound 0 kPa, which decides its value. ${bound.advice}`);
+  const { value, range } = warnings.find(({ code, quantity }) => code === "implausible_estimate" && quantity === "k_s");
+  const [implausible] = await told("implausible_estimate");
+  assert.ok(value > range.upper && implausible.startsWith("Sinkage modulus is "), implausible);
+  assert.ok(implausible.includes(` to ${range.upper / 1000} kPa/mᴺ in size.`), implausible);
+  const shown = await page.innerText("#identification");
+  for (const { parameter } of estimates) assert.ok(!shown.includes(parameter), `${parameter} is a name of the API`);
+});
+
 check("a search can be cancelled", async (page) => {
   await open(page);
   await page.route("**/v1/identify", () => {});

@@ -40,7 +40,7 @@ check("an equation leads to the errata that hold for it", async (page) => {
   await page.waitForSelector("#model-references");
   const link = page.locator('#model-equations a[href="#erratum-9"]').first();
   await link.click();
-  assert.equal(await page.evaluate(() => document.activeElement.id), "erratum-9");
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "erratum-9");
   assert.match(await page.innerText("#erratum-9"), /N·m/);
 });
 

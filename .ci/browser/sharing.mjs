@@ -79,7 +79,7 @@ check("going back to an address with an unknown choice still gives its forces", 
   });
   const round = Number(await page.getAttribute("#app", "data-round"));
   await page.goBack();
-  await page.waitForFunction((last) => Number(document.querySelector("#app").dataset.round) > last, round);
+  await page.waitForFunction((last) => Number(document.querySelector("#app")?.getAttribute("data-round")) > last, round);
   await ready(page);
   assert.equal((await assertAnswered(page)).slip, 0.3);
   assert.equal(await page.inputValue("#fourth"), "tractive_efficiency");

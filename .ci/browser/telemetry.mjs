@@ -50,6 +50,7 @@ check("a track with velocities is followed on demand, drawn over time, and gives
   await followed(page);
   const { sinkage_m, slip, ...rest } = LETTER;
   const { columns, events, warnings } = await ask("/v1/track", { ...rest, normal_load_n: 90, columns: columnsOf() });
+  /** @type {Record<string, [string, number]>} */
   const bands = { "#track-slip-chart": ["slip", 100], "#track-sinkage-chart": ["sinkage_m", 1000], "#track-force-chart": ["longitudinal_force_n", 1], "#track-torque-chart": ["torque_n_m", 1] };
   for (const [chart, [name, factor]] of Object.entries(bands)) {
     assertPoints(await drawn(page, chart), "quadrature", columns.time_s, columns[name].map((value) => (value === null ? null : value * factor)));
@@ -110,13 +111,15 @@ check("a track of former inputs is marked as such", async (page) => {
 
 check("a name of one letter is meant as it is written, and units need no brackets", async (page) => {
   await open(page);
-  for (const [heading, expected] of [
+  /** @type {[string, string[]][]} */
+  const tables = [
     ["t,slip,T", ["time_s s", "slip –", "torque_n_m N·m"]],
     ["Slip %,Fx N,z mm,Torque N m", ["slip %", "longitudinal_force_n N", "sinkage_m mm", "torque_n_m N·m"]],
     ["Time / ms,v [cm/s],w rad/s,W", ["time_s ms", "forward_velocity_m_s cm/s", "angular_velocity_rad_s rad/s", "normal_force_n N"]],
     ["time_s,forward_velocity_m_s,angular_velocity_rad_s,torque_n_m,sinkage_m", ["time_s s", "forward_velocity_m_s m/s", "angular_velocity_rad_s rad/s", "torque_n_m N·m", "sinkage_m m"]],
     ["Zeit (min),Schlupf (%),Drehzahl,I,V", ["time_s min", "slip %", "angular_velocity_rad_s rpm", "", ""]],
-  ]) {
+  ];
+  for (const [heading, expected] of tables) {
     const count = heading.split(",").length;
     await dropFile(page, `${heading}\n${Array(count).fill("0.1").join(",")}\n${Array(count).fill("0.2").join(",")}\n`);
     assert.deepEqual(await chosen(page), expected, heading);

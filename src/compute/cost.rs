@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use terramechanics::{Method, Operation, Sinkage};
+use terramechanics::{Method, Operation, Sinkage, Vehicle};
 
 use super::SLICE;
 
@@ -25,6 +25,9 @@ const ALLOWANCE: f64 = 1e9;
 
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
 const SOLVED: f64 = 60e6;
+
+/// How many times the cost of a load balance one in a rut has.
+const RUT: f64 = 2.0;
 
 /// What one operating point costs, in nanoseconds.
 #[derive(Debug, Clone, Copy)]
@@ -49,12 +52,16 @@ const POINTS: [[Point; 2]; 3] = [
 
 impl Point {
     fn of(operation: &Operation) -> Self {
-        let by_method = match operation.model.method {
-            Method::Linearised { .. } | Method::Explicit { .. } => &POINTS[0],
-            Method::Quadrature | Method::ResistiveForce => &POINTS[1],
-            Method::SideSlipping(_) => &POINTS[2],
-        };
-        by_method[usize::from(matches!(operation.sinkage, Sinkage::CarryingLoad(_)))]
+        Self::by_method(operation.model.method)[usize::from(matches!(operation.sinkage, Sinkage::CarryingLoad(_)))]
+    }
+
+    /// With a known sinkage, and with one solved for a load.
+    fn by_method(method: Method) -> [Self; 2] {
+        match method {
+            Method::Linearised { .. } | Method::Explicit { .. } => POINTS[0],
+            Method::Quadrature | Method::ResistiveForce => POINTS[1],
+            Method::SideSlipping(_) => POINTS[2],
+        }
     }
 
     /// Every kind.
@@ -122,6 +129,17 @@ impl Cost {
         }
         let allowance = if price > NEXT_TO_NOTHING { ALLOWANCE } else { 0.0 };
         Self { usual, price: price + allowance }
+    }
+
+    /// The cost of a rover on so many slopes: each takes some fifteen slips, and the largest slope some hundred and fifty, with a load
+    /// balance for every station at each.
+    pub(crate) fn of_vehicle(vehicle: &Vehicle, slopes: usize) -> Self {
+        let params = vehicle.params();
+        let [_, loaded] = Point::by_method(params.model.method);
+        let in_rut = if params.unloading.is_some() { RUT } else { 1.0 };
+        let slips = 15.0 * slopes as f64 + 150.0;
+        let usual = slips * params.stations.len() as f64 * in_rut * loaded.usual + slopes as f64 * Point::ROW;
+        Self { usual, price: ALLOWANCE + 3.0 * usual }
     }
 
     /// The cost of one evaluation of closed forms.

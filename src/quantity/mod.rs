@@ -4,6 +4,7 @@
 
 mod cell;
 mod columns;
+mod number;
 mod point;
 mod point_columns;
 mod sample;
@@ -14,6 +15,7 @@ mod unit;
 
 pub(crate) use cell::{Cell, Digits, csv, line, write_table};
 pub(crate) use columns::{Columns, Shape, Values};
+pub(crate) use number::number;
 pub(crate) use point::{OfPoint, Part, Point, PointValue};
 pub(crate) use point_columns::{PointColumns, point_rows};
 pub(crate) use sample::{Beside, OfSample, Row, SampleValue};

@@ -4,7 +4,8 @@ use serde::Serialize;
 use terramechanics_identification::{Bound, Estimate, Identifiability, Unknown};
 use utoipa::ToSchema;
 
-use crate::warning::{gap_in_words, number};
+use crate::quantity::number;
+use crate::warning::{gap_code, gap_in_words};
 
 /// The result for one parameter.
 #[derive(Debug, Serialize, ToSchema)]
@@ -26,6 +27,8 @@ pub(crate) struct EstimateReply {
     model_bias: Option<f64>,
     /// Whether the data determine it, in words.
     identifiability: String,
+    /// The same as data.
+    known: Known,
 }
 
 impl EstimateReply {
@@ -46,20 +49,112 @@ impl From<&Estimate> for EstimateReply {
             at_bound: estimate.at_bound.is_some(),
             model_bias: None,
             identifiability: identifiability(estimate),
+            known: estimate.into(),
         }
     }
 }
 
+/// What the data tell of a parameter.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Identifiability)]
+struct Known {
+    /// Whether they determine it. They do where it is `determined`, and up to a bound where it is `at_bound`.
+    code: IdentifiabilityCode,
+    /// Half the width of the 95 % interval, where it has one of its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    half_width: Option<f64>,
+    /// The bound at which the parameter lies, or the side from which alone the data bound it: `upper` is from above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    end: Option<End>,
+    /// Parameters that it cannot be told from.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    tied_to: Vec<&'static str>,
+    /// Where it is `unseparated`: code of the warning that says what the data do not vary.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false, example = "single_slip")]
+    gap: Option<&'static str>,
+    /// Another value that explains the data as well.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    other: Option<f64>,
+}
+
+/// Whether data determine a parameter.
+#[derive(Debug, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+enum IdentifiabilityCode {
+    Determined,
+    AtBound,
+    WithoutEffect,
+    Inseparable,
+    Unseparated,
+    SeveralSolutions,
+    OneSided,
+    Uncertain,
+}
+
+/// An end of a range.
+#[derive(Debug, Clone, Copy, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+#[schema(as = BoundEnd)]
+enum End {
+    Lower,
+    Upper,
+}
+
+impl From<Bound> for End {
+    fn from(bound: Bound) -> Self {
+        match bound {
+            Bound::Lower => Self::Lower,
+            Bound::Upper => Self::Upper,
+        }
+    }
+}
+
+impl From<&Estimate> for Known {
+    fn from(estimate: &Estimate) -> Self {
+        let half_width = half_width(estimate);
+        let known = |code| Self { code, half_width, end: None, tied_to: Vec::new(), gap: None, other: None };
+        match &estimate.identifiability {
+            Identifiability::Determined => known(IdentifiabilityCode::Determined),
+            Identifiability::AtBound => Self { end: estimate.at_bound.map(End::from), ..known(IdentifiabilityCode::AtBound) },
+            Identifiability::WithoutEffect => known(IdentifiabilityCode::WithoutEffect),
+            Identifiability::Inseparable(others) if others.is_empty() => known(IdentifiabilityCode::WithoutEffect),
+            Identifiability::Inseparable(others) => Self { tied_to: names(others), ..known(IdentifiabilityCode::Inseparable) },
+            Identifiability::Unseparated(gap, others) => {
+                Self { gap: Some(gap_code(*gap)), tied_to: names(others), ..known(IdentifiabilityCode::Unseparated) }
+            }
+            Identifiability::SeveralSolutions { other } => {
+                Self { other: Some(*other), ..known(IdentifiabilityCode::SeveralSolutions) }
+            }
+            Identifiability::OneSided(bound) => {
+                Self { end: Some(End::from(*bound)), half_width: None, ..known(IdentifiabilityCode::OneSided) }
+            }
+            Identifiability::Uncertain => known(IdentifiabilityCode::Uncertain),
+        }
+    }
+}
+
+fn names(unknowns: &[Unknown]) -> Vec<&'static str> {
+    unknowns.iter().map(|unknown| unknown.name()).collect()
+}
+
+/// Half the width of the interval; none where an end is a bound or overflows.
+fn half_width(estimate: &Estimate) -> Option<f64> {
+    let [lower, upper] = estimate.interval?;
+    estimate.standard_error.map(|_| 0.5 * (upper - lower)).filter(|width| width.is_finite())
+}
+
 fn list(unknowns: &[Unknown]) -> String {
-    unknowns.iter().map(|&unknown| unknown.name()).collect::<Vec<_>>().join(", ")
+    names(unknowns).join(", ")
 }
 
 /// Whether the data determine a parameter, in words.
 fn identifiability(estimate: &Estimate) -> String {
-    let width = match (estimate.interval, estimate.standard_error) {
-        (Some([lower, upper]), Some(_)) => Some(0.5 * (upper - lower)),
-        _ => None,
-    };
+    let width = half_width(estimate);
     match &estimate.identifiability {
         Identifiability::Determined => match width {
             Some(width) => format!("determined to ± {} (95 %)", number(width)),

@@ -21,7 +21,7 @@ pub(crate) mod unknowns;
 pub(crate) mod wheel;
 
 pub(crate) use documented::{Described, Documented, Shape};
-pub(crate) use refusal::{error_fault, error_pointer};
+pub(crate) use refusal::{error_fault, error_pointer, sinkage_figures};
 
 use terramechanics_reading::{FieldFault, Node, Object, Reader, read};
 

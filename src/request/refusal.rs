@@ -42,19 +42,25 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
     }
 }
 
+/// The numbers of a fault of a sinkage that is beyond the wheel.
+pub(crate) fn sinkage_figures(sinkage: f64, radius: f64) -> Figures {
+    Figures { maximum: Some(radius), maximum_from: Some("/wheel/radius_m"), ..number(&WheelOnSoil::SINKAGE).figures(sinkage) }
+}
+
 /// A refusal of the model as a fault of the request.
 pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
     let fault = FieldFault::new(error_pointer(error, sinkage), error);
     match error {
-        Error::SinkageOutsideWheel { sinkage: value, radius } => {
-            let figures = Figures { maximum: Some(*radius), ..number(&WheelOnSoil::SINKAGE).figures(*value) };
-            let detail = match sinkage {
-                // The sinkage that was refused is not the number that was sent.
-                Sinkage::FromStatic { .. } => format!("by the slip–sinkage law at this slip, {}", fault.detail),
-                _ => fault.detail,
-            };
-            FieldFault { detail, ..fault }.with(figures)
-        }
+        Error::SinkageOutsideWheel { sinkage: value, radius } => match sinkage {
+            Sinkage::Given(_) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(_), .. } => {
+                fault.with(sinkage_figures(*value, *radius))
+            }
+            // The sinkage that was refused is not the number that was sent.
+            Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } => {
+                FieldFault { detail: format!("by the slip–sinkage law at this slip, {}", fault.detail), ..fault }
+            }
+            Sinkage::CarryingLoad(_) => fault,
+        },
         Error::PullOutOfReach { pull, reached, nearest, .. } => {
             let bound = |is_bound: bool| is_bound.then_some(*reached);
             let (minimum, maximum) = (bound(*nearest == Nearest::Least), bound(*nearest == Nearest::Largest));

@@ -1,9 +1,10 @@
 //! The sinkage of a request: as it is, from a static one, or under a load.
 
 use terramechanics::{Sinkage, SlipSinkage, Wheel, WheelOnSoil};
-use terramechanics_reading::{Field, Figures, Group, Number, Reader, Tagged, in_millimetres};
+use terramechanics_reading::{Field, Group, Number, Reader, Tagged, in_millimetres};
 
 use super::laws::{self, field, number};
+use super::refusal::sinkage_figures;
 
 /// A load on a wheel.
 pub(crate) const LOAD: Number = number(&WheelOnSoil::NORMAL_LOAD);
@@ -65,8 +66,7 @@ pub(crate) fn within_wheel(object: &Reader<'_>, sinkage: f64, wheel: Option<&Whe
         Some(radius) if sinkage > radius => {
             let meant = if sinkage >= 1.0 && sinkage / 1000.0 <= radius { in_millimetres(sinkage) } else { String::new() };
             let error = terramechanics::Error::SinkageOutsideWheel { sinkage, radius };
-            let figures = Figures { maximum: Some(radius), ..SINKAGE_M.kind.figures(sinkage) };
-            object.place_of(&SINKAGE_M).report(figures, format_args!("{error}{meant}"));
+            object.place_of(&SINKAGE_M).report(sinkage_figures(sinkage, radius), format_args!("{error}{meant}"));
             None
         }
         _ => Some(sinkage),

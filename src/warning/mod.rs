@@ -4,28 +4,27 @@
 //! warning is a finding or a caution, with the rows and series for which it holds. Nothing else can be sent.
 
 mod detail;
+mod figure;
 mod gather;
 mod of_model;
 mod pieces;
 mod place;
 mod plausible;
 mod table;
+mod wire;
 mod words;
 
 pub(crate) use gather::{RowCautions, gathered, shared_warnings};
+pub(crate) use of_model::gap_code;
 pub(crate) use pieces::{BeyondRange, gap_in_words};
 pub(crate) use place::Rows;
 pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};
-pub(crate) use words::{Reason, number};
+pub(crate) use words::Reason;
 
-use serde::{Serialize, Serializer};
 use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};
-use utoipa::openapi::{RefOr, Schema};
-use utoipa::{PartialSchema, ToSchema};
 
 use crate::catalogue::{self, Outside};
-use crate::quantity::shown;
 
 /// What a warning is about.
 #[derive(Debug, Clone, PartialEq)]
@@ -155,117 +154,6 @@ pub(crate) fn of_system(system: &WheelOnSoil) -> impl Iterator<Item = Warning> +
 pub(crate) fn of_point(cautions: impl Iterator<Item = Caution>, system: &WheelOnSoil, heading: Heading) -> Vec<Warning> {
     let mirrored = (heading == Heading::Backward).then(|| Warning::from(Finding::Mirrored {}));
     cautions.map(Warning::from).chain(of_system(system)).chain(mirrored).collect()
-}
-
-/// A warning as it stands on the wire.
-#[derive(Debug, Serialize, ToSchema)]
-#[schema(as = Warning)]
-struct WarningBody {
-    /// Kind of the warning, for programs; /v1/model lists them all.
-    #[schema(example = "small_wheel")]
-    code: &'static str,
-    /// The warning in words: what holds where, and what to do.
-    detail: String,
-    /// The range that a quantity leaves, if the warning is about one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    range: Option<Range>,
-    /// The quantity that the warning is about, if there is one. It has no value here where it is null in the answer.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false, example = "diameter")]
-    quantity: Option<String>,
-    /// Its value; of several rows, the one furthest out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    value: Option<f64>,
-    /// Its unit by UCUM, 1 for a ratio; some moduli have an exponent in it, such as Pa/m^N.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false, example = "m")]
-    unit: Option<&'static str>,
-    /// Field of the request to look at, as a JSON pointer.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false, example = "/wheel/radius_m")]
-    pointer: Option<String>,
-    /// Rows that the warning holds for, as pairs of the first and the last index from 0, ascending: the first 20 pairs. Absent
-    /// where it holds for every row. A track, which keeps no list, names the first row alone.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    rows: Option<Vec<[u64; 2]>>,
-    /// How many rows it holds for in all, where `rows` is there.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
-    count: Option<u64>,
-    /// Series that the warning holds for; absent where it holds for all or there is but one.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    #[schema(required = false)]
-    series: Vec<String>,
-}
-
-/// A quantity outside its range.
-#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
-struct Range {
-    /// The quantity, with its unit in parentheses unless its name ends with it.
-    quantity: String,
-    /// Its value.
-    value: f64,
-    /// Lower end of the range, if it has one.
-    lower: Option<f64>,
-    /// Upper end of the range, if it has one.
-    upper: Option<f64>,
-    /// Where the range comes from.
-    source: &'static str,
-}
-
-impl Range {
-    fn of(measure: &Measure) -> Option<Self> {
-        let Measure { quantity, value, unit, lower, upper, source } = measure;
-        lower.or(*upper)?;
-        let has_unit = crate::quantity::unit_of_name(quantity).is_some();
-        let unit = unit.filter(|_| !has_unit);
-        let quantity = unit.map_or_else(|| quantity.clone(), |unit| format!("{quantity} ({})", shown(unit)));
-        Some(Self { quantity, value: *value, lower: *lower, upper: *upper, source: (*source)? })
-    }
-}
-
-impl From<&Warning> for WarningBody {
-    fn from(warning: &Warning) -> Self {
-        let measure = warning.measure();
-        let rows = warning.rows.as_ref();
-        Self {
-            code: warning.code(),
-            detail: warning.detail(),
-            range: measure.as_ref().and_then(Range::of),
-            value: measure.as_ref().map(|measure| measure.value).filter(|value| value.is_finite()),
-            unit: measure.as_ref().and_then(|measure| measure.unit),
-            quantity: measure.map(|measure| measure.quantity),
-            pointer: warning.pointer().filter(|pointer| !pointer.is_empty()),
-            rows: rows.map(|rows| rows.ranges().collect()),
-            count: rows.map(Rows::count),
-            series: warning.series.clone(),
-        }
-    }
-}
-
-impl Serialize for Warning {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        WarningBody::from(self).serialize(serializer)
-    }
-}
-
-impl PartialSchema for Warning {
-    fn schema() -> RefOr<Schema> {
-        WarningBody::schema()
-    }
-}
-
-impl ToSchema for Warning {
-    fn name() -> std::borrow::Cow<'static, str> {
-        WarningBody::name()
-    }
-
-    fn schemas(found: &mut Vec<(String, RefOr<Schema>)>) {
-        WarningBody::schemas(found);
-    }
 }
 
 /// The finding that rows have no solution, because of `error`, which belongs to the field at `pointer`.

@@ -26,3 +26,8 @@ impl Finding {
         }
     }
 }
+
+/// The code of the warning about such data.
+pub(crate) fn gap_code(gap: DesignGap) -> &'static str {
+    Finding::gap(gap, Vec::new()).code()
+}

@@ -2,7 +2,8 @@
 
 use terramechanics_identification::DesignGap;
 
-use super::words::{number, quoted};
+use super::words::quoted;
+use crate::quantity::number;
 
 /// The values of one column that are out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -23,9 +24,13 @@ impl BeyondRange {
             (Some(lower), None) => format!("finite and greater than {}", number(lower)),
             _ => "finite".to_owned(),
         };
-        let in_metres = if self.upper.is_some_and(|upper| self.largest > upper) { " Send metres." } else { "" };
         let found = if self.count == 1 { "it".to_owned() } else { format!("the first of {}", self.count) };
-        format!("`{}` has to be {demand}; {found} is {}.{in_metres}", self.column, number(self.first))
+        format!("`{}` has to be {demand}; {found} is {}.", self.column, number(self.first))
+    }
+
+    /// Whether a value is larger than the radius allows.
+    pub(super) fn is_beyond_radius(&self) -> bool {
+        self.upper.is_some_and(|upper| self.largest > upper)
     }
 }
 
@@ -39,14 +44,18 @@ pub(crate) fn gap_in_words(gap: DesignGap) -> &'static str {
     }
 }
 
-/// What such data leave open, and what to do.
-pub(super) fn design_gap(gap: DesignGap, parameters: &[&'static str]) -> String {
-    let advice = match gap {
+/// What such data leave open.
+pub(super) fn gap_of(gap: DesignGap, parameters: &[&'static str]) -> String {
+    let reason = gap_in_words(gap);
+    format!("{reason}, so only the assumed shape of the stresses determines {}.", quoted(parameters))
+}
+
+/// What to do about such data.
+pub(super) fn gap_advice(gap: DesignGap) -> &'static str {
+    match gap {
         DesignGap::OneSlip => "Measure at other slips as well.",
         DesignGap::OneLoad => "Measure under other loads as well.",
         DesignGap::FewPoints => "Measure at more operating points.",
         DesignGap::NormalForceOnly => "Send a torque or a longitudinal force as well.",
-    };
-    let reason = gap_in_words(gap);
-    format!("{reason}, so only the assumed shape of the stresses determines {}. {advice}", quoted(parameters))
+    }
 }

@@ -5,17 +5,8 @@ use terramechanics::{
 };
 
 use super::Measure;
-
-/// A number in four digits, as people read it; the value itself is in the data.
-pub(crate) fn number(value: f64) -> String {
-    let size = value.abs();
-    if size != 0.0 && !(1e-3..1e6).contains(&size) {
-        return format!("{value:.3e}");
-    }
-    let decimals = if size == 0.0 { 0 } else { (3.0 - size.log10().floor()).max(0.0) as usize };
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-}
+use super::figure::Figure;
+use crate::quantity::number;
 
 /// Names in a row: `a`, `a and b`, `a, b and c`.
 pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> String {
@@ -102,6 +93,16 @@ impl Reason {
         }
     }
 
+    /// The sinkage that goes with a load that the model refuses.
+    pub(super) fn figure(&self) -> Option<Figure> {
+        match *self {
+            Self::Model(Error::LoadBeyondCapacity { sinkage, .. } | Error::LoadTooLight { sinkage, .. }) => {
+                Some(Figure::of("sinkage", sinkage, "m"))
+            }
+            _ => None,
+        }
+    }
+
     pub(super) fn in_words(&self) -> String {
         match self {
             Self::Model(Error::Invalid(Fault { parameter, value })) => {
@@ -135,15 +136,6 @@ mod tests {
     use terramechanics::Slip;
 
     use super::*;
-
-    #[test]
-    fn numbers_have_four_digits_at_most() {
-        for (value, text) in
-            [(0.4, "0.4"), (1.0 / 3.0, "0.3333"), (-73_673.7, "-73674"), (0.0, "0"), (1e-9, "1.000e-9"), (2.0, "2")]
-        {
-            assert_eq!(number(value), text);
-        }
-    }
 
     #[test]
     fn an_input_is_named_in_words() {

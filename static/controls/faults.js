@@ -2,11 +2,11 @@
 
 import { enclosing, find } from "../dom/find.js";
 import { sentenceHtml } from "../dom/text.js";
-import { faultText } from "../wording/wording.js";
+import { faultText } from "../wording/faults.js";
 
 /** @import { Field } from "../quantities/fields.js" */
 /** @import { TypingFault } from "../state/settings.js" */
-/** @import { Fault } from "../wording/wording.js" */
+/** @import { Fault } from "../wording/faults.js" */
 
 /** @typedef {Fault | TypingFault} ShownFault */
 /** @typedef {{ pointer: string, text: string, input: HTMLInputElement | HTMLSelectElement | null }} PlacedFault with the input it is shown at, if any */

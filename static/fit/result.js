@@ -2,15 +2,15 @@
 
 import { html } from "../dom/elements.js";
 import { columnHeads, rowHead, table } from "../dom/tables.js";
-import { symbolHtml } from "../dom/text.js";
+import { sentenceHtml, symbolHtml } from "../dom/text.js";
 import { LAW_FIELDS, PRESSURE_SINKAGE } from "../quantities/law-fields.js";
 import { MEASURED } from "../quantities/measured.js";
 import { PARAMETERS, fieldOf, valueText } from "../quantities/parameters.js";
 import { methodName, quantity } from "../quantities/results.js";
 import { showWarnings } from "../results/warnings.js";
 import { SOIL_FIELDS, foundValue } from "../state/found-soil.js";
+import { identifiabilityText } from "../wording/estimates.js";
 import { fitWarning } from "../wording/warnings.js";
-import { identifiabilityText } from "../wording/wording.js";
 import { showResiduals } from "./residuals.js";
 
 /** @import { FitParameter, Identification, ParameterEstimate } from "../api/types.js" */
@@ -27,14 +27,15 @@ const foundLaw = ({ soil }) => soil.pressure_sinkage?.law ?? "direct";
  * @param {ParameterEstimate} estimate
  * @param {string} law
  */
-function estimateRow({ parameter, value, interval_95: interval, identifiability }, law) {
+function estimateRow(estimate, law) {
+  const { parameter, value, interval_95: interval } = estimate;
   const field = fieldOf(parameter, law);
   const ends = interval ? interval.map((end) => valueText(field, end)).join(" to ") : "–";
   return html("tr", { "data-parameter": parameter },
     rowHead(field.label, " ", html("i", {}, ...symbolHtml(field.symbol))),
     html("td", { "data-estimate": parameter, "data-value": value, "data-head": HEADS[1] }, valueText(field, value)),
     html("td", { "data-head": HEADS[2] }, ends),
-    html("td", { class: "words", "data-head": HEADS[3] }, identifiabilityText(identifiability, field)));
+    html("td", { class: "words", "data-head": HEADS[3] }, ...sentenceHtml(identifiabilityText(estimate, field))));
 }
 
 /** @param {Identification} reply */

@@ -5,7 +5,7 @@ import { columnHeads, rowHead, table } from "../dom/tables.js";
 import { symbolHtml } from "../dom/text.js";
 import { fixed, percent, withUnit } from "../numbers/format.js";
 import { METHOD_NAMES, methodName, quantity } from "../quantities/results.js";
-import { faultText } from "../wording/wording.js";
+import { faultText } from "../wording/faults.js";
 import { MAIN_RESULTS } from "./tiles.js";
 
 /** @import { Comparison, Difference, Spread } from "../api/types.js" */

@@ -3,9 +3,9 @@
 import { Problem, messageOf } from "../api/client.js";
 import { html } from "../dom/elements.js";
 import { sentenceHtml } from "../dom/text.js";
-import { faultSentence } from "../wording/wording.js";
+import { faultSentence } from "../wording/faults.js";
 
-/** @import { Fault } from "../wording/wording.js" */
+/** @import { Fault } from "../wording/faults.js" */
 
 /**
  * @typedef {object} SearchForm

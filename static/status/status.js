@@ -2,7 +2,7 @@
 
 import { html } from "../dom/elements.js";
 import { sentenceHtml } from "../dom/text.js";
-import { about } from "../wording/wording.js";
+import { about } from "../wording/faults.js";
 
 /** @import { Child } from "../dom/elements.js" */
 /** @import { PlacedFault } from "../controls/faults.js" */

@@ -6,7 +6,7 @@ import { seconds } from "../numbers/format.js";
 import { MEASURED } from "../quantities/measured.js";
 import { quantity } from "../quantities/results.js";
 import { trackRequest } from "../state/measured-bodies.js";
-import { listed } from "../wording/places.js";
+import { listed } from "../wording/values.js";
 
 /** @import { TrackColumns, TrackEvent } from "../api/types.js" */
 /** @import { SinkageSource } from "../state/measured-bodies.js" */

@@ -1,11 +1,9 @@
 // Where a warning holds, in words.
 
 import { withUnit } from "../numbers/format.js";
+import { listed } from "./values.js";
 
 /** @import { Warning } from "../api/types.js" */
-
-/** @param {string[]} words */
-export const listed = (words) => (words.length > 1 ? `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}` : words.join(""));
 
 /**
  * How many rows a warning holds for beyond those that it names.
@@ -45,16 +43,4 @@ export function atLines(warning, lines) {
   if (!rows) return "";
   const isOne = rows.length === 1 && rows[0][0] === rows[0][1];
   return `at ${isOne ? "line" : "lines"} ${stretches(warning, (row) => String(lines[row]))} of the file${others(warning)}`;
-}
-
-/**
- * What a warning says, without the series and rows that the API puts before it. A colon closes them; where the API cuts a list of
- * rows, another one opens it.
- * @param {Warning} warning
- */
-export function withoutPlace(warning) {
-  const { detail, rows, series = [] } = warning;
-  if (!rows && !series.length) return detail;
-  const isCut = (rows?.length ?? 0) > 1 && unnamed(warning) > 0;
-  return detail.split(": ").slice(isCut ? 2 : 1).join(": ");
 }

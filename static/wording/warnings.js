@@ -1,14 +1,15 @@
-// The words for warnings of the API. Where it holds and how far a value leaves its range are told from the data, in the units of the
-// page; what that means and what to do is the API's sentence.
+// The words for warnings of the API. What holds where is told from the data, in the units and names of the page, and by the API's own
+// sentence where there are no data. What to do is the API's sentence, unless it is done by a control of the page.
 
-import { capitalised } from "../numbers/format.js";
+import { capitalised, percent } from "../numbers/format.js";
 import { fieldAt } from "../quantities/fields.js";
 import { MEASURED } from "../quantities/measured.js";
 import { PARAMETERS, fieldOf, valueText } from "../quantities/parameters.js";
 import { quantity } from "../quantities/results.js";
-import { PERCENT, beforeUnit, pageUnit } from "../quantities/units.js";
-import { atLines, atSlips, withoutPlace } from "./places.js";
-import { inPageUnits } from "./sentences.js";
+import { PERCENT, pageUnit } from "../quantities/units.js";
+import { GAPS } from "./estimates.js";
+import { atLines, atSlips } from "./places.js";
+import { inUnit, nameOf, namesOf } from "./values.js";
 
 /** @import { Method, Warning } from "../api/types.js" */
 /** @import { Unit } from "../quantities/units.js" */
@@ -22,80 +23,92 @@ import { inPageUnits } from "./sentences.js";
  * @property {Method[]} methods those it names
  */
 
+/**
+ * A number with its range, in the units of the page; a bound that is not there is null.
+ * @typedef {{ value: string, lower: string | null, upper: string | null, isBelow: boolean, isAbove: boolean }} Shown
+ */
+
 const SHOWN_DIGITS = 4;
 
-/** @param {Warning} warning */
+/** @param {{ quantity?: string, unit?: string }} figure */
 const unitOf = ({ quantity: name, unit }) => (unit === undefined ? undefined : name === "slip" ? PERCENT : pageUnit(unit));
 
 /**
  * @param {number} value (SI)
  * @param {Unit} unit
  */
-const shown = (value, unit) => beforeUnit(String(Number(unit.fromSi(value).toPrecision(SHOWN_DIGITS))).replace("-", "\u2212"), unit);
+const shown = (value, unit) => inUnit(value, unit, SHOWN_DIGITS).replace("-", "\u2212");
 
 /**
- * The text from `mark` on behind other words; as it comes where the mark is not there.
- * @param {string} text
- * @param {string} mark
- * @param {string} words
+ * The value that a warning is about; null where it has none with a unit.
+ * @param {Warning} warning
+ * @returns {Shown | null}
  */
-function behind(text, mark, words) {
-  const at = text.indexOf(mark);
-  return at < 0 ? text : words + text.slice(at);
+function measured(warning) {
+  const { value, range } = warning;
+  const unit = unitOf(warning);
+  if (value === undefined || !range || !unit) return null;
+  const { lower, upper } = range;
+  /** @param {number | null | undefined} bound */
+  const text = (bound) => (typeof bound === "number" ? shown(bound, unit) : null);
+  return {
+    value: shown(value, unit), lower: text(lower), upper: text(upper),
+    isBelow: typeof lower === "number" && value < lower, isAbove: typeof upper === "number" && value > upper,
+  };
 }
-
-/**
- * Names of the API that are none of a parameter or of a quantity in the table of measurements.
- * @type {Record<string, string>}
- */
-const OTHER_NAMES = { normal_load_n: "normal force", identifiability: "the table" };
-
-/**
- * The sentence with the names that it quotes as the page has them. Names that the page does not have stay as they are.
- * @param {string} text
- */
-const named = (text) => text.replace(/`([^`]*)`/g, (quoted, name) =>
-  PARAMETERS[name]?.field.label.toLowerCase() ?? MEASURED[name]?.label.toLowerCase() ?? OTHER_NAMES[name] ?? quoted);
 
 /**
  * A value of the wheel or the soil that the catalogue does not come near, or one out of the range that a law was tested in.
  * @param {Warning} warning
  */
-function rangeText(warning) {
-  const said = withoutPlace(warning);
-  const { code, quantity: name = "", value, range } = warning;
-  const unit = unitOf(warning);
-  if (value === undefined || !range || !unit) return said;
-  const { lower, upper, source } = range;
-  const isBelow = typeof lower === "number" && value < lower;
-  const end = isBelow ? lower : upper;
-  if (typeof end !== "number") return said;
-  const is = `${PARAMETERS[name]?.field.label.toLowerCase() ?? name} is ${shown(value, unit)}`;
-  if (code === "outside_catalogue") {
-    return `${is}, far ${isBelow ? "below the smallest" : "above the largest"} value of the catalogue, ${shown(end, unit)}. Check its unit.`;
-  }
-  // Whether the value is one of several that differ is no data of its own.
-  const worst = said.includes(" at worst, ") ? " at worst" : "";
-  return behind(said, ` (${source})`, `${is}${worst}, ${isBelow ? "below" : "above"} ${shown(end, unit)}`);
+function rangeFinding(warning) {
+  const { code, quantity: name = "", varies, range, finding } = warning;
+  const said = measured(warning);
+  const end = said?.isBelow ? said.lower : said?.upper;
+  if (!said || !(said.isBelow || said.isAbove)) return finding;
+  const is = `${PARAMETERS[name] ? nameOf(name) : name} is ${said.value}`;
+  if (code === "outside_catalogue") return `${is}, far ${said.isBelow ? "below the smallest" : "above the largest"} value of the catalogue, ${end}.`;
+  return `${is}${varies ? " at worst" : ""}, ${said.isBelow ? "below" : "above"} ${end} (${range?.source}).`;
+}
+
+/** @param {Shown} said */
+function demandIn({ lower, upper }) {
+  if (lower !== null && upper !== null) return `has to be between ${lower} and ${upper}`;
+  return upper !== null ? `may be at most ${upper}` : `has to be above ${lower}`;
 }
 
 /**
- * Why points have no solution. The reason is the sentence of the fault that a single point would have: it says more than the data, such
- * as the sinkage at which the soil carries most.
+ * Why the model has no answer; null where that is no number out of its range.
+ * @param {Warning} warning
+ */
+function reasonIn(warning) {
+  const said = measured(warning);
+  if (!said || (said.lower === null && said.upper === null)) return null;
+  const further = (warning.figures ?? []).flatMap((figure) => {
+    const unit = unitOf(figure);
+    return unit ? [`, at a ${figure.quantity} of ${shown(figure.value, unit)}`] : [];
+  });
+  return `the ${warning.quantity} is ${said.value} and ${demandIn(said)}${further.join("")}`;
+}
+
+/**
+ * Why points have no solution.
  * @param {Warning} warning
  */
 function unsolvedText(warning) {
-  const { pointer = "" } = warning;
+  const { pointer = "", count = 1, finding, advice } = warning;
+  const reason = reasonIn(warning);
   const label = fieldAt(pointer)?.label;
-  const said = inPageUnits(withoutPlace(warning));
-  return label ? said.replaceAll(`\`${pointer}\``, `“${label}”`) : said;
+  const [first, points] = count > 1 ? [". The first has none", "these points"] : [",", "this point"];
+  const said = reason ? `no solution${first} because ${reason}.` : finding;
+  return `${said} ${label ? `Change “${label}”, or leave ${points} out.` : advice}`;
 }
 
 /**
  * What a warning about operating points says.
  * @param {Warning} warning
  */
-const pointText = (warning) => (warning.code === "no_solution" ? unsolvedText(warning) : rangeText(warning));
+const pointText = (warning) => (warning.code === "no_solution" ? unsolvedText(warning) : `${rangeFinding(warning)} ${warning.advice}`);
 
 /**
  * @param {string} place
@@ -143,23 +156,40 @@ export function predictionWarning(warning, names, slips) {
  * @param {Warning} warning
  */
 function refusedText(warning) {
-  const { quantity: name = "", value, range } = warning;
-  const unit = unitOf(warning);
-  const lower = range?.lower;
-  if (value === undefined || typeof lower !== "number" || !unit) return withoutPlace(warning);
-  const least = warning.code === "out_of_range" ? `greater than ${shown(lower, unit)}` : `${shown(lower, unit)} or more`;
-  const most = typeof range?.upper === "number" ? ` and at most ${shown(range.upper, unit)}` : "";
-  return `no result, because the ${named(`\`${name}\``)} has to be ${least}${most}; the first is ${shown(value, unit)}. Check the unit of its column.`;
+  const { code, quantity: name = "", finding, advice } = warning;
+  const said = measured(warning);
+  if (said === null || said.lower === null) return `${finding} ${advice}`;
+  const least = code === "out_of_range" ? `greater than ${said.lower}` : `${said.lower} or more`;
+  const most = said.upper === null ? "" : ` and at most ${said.upper}`;
+  return `no result, because the ${nameOf(name)} has to be ${least}${most}; the first is ${said.value}. Check the unit of its column.`;
 }
+
+/**
+ * Samples of a track without a pull by the coupled form.
+ * @param {Warning} warning
+ */
+function notCoupledText(warning) {
+  const reason = reasonIn(warning);
+  const said = reason ? `no pull by the coupled form, because ${reason}.` : warning.finding;
+  return `${said} ${warning.pointer === "/normal_load_n" ? "Choose “Normal load” at the operating point." : warning.advice}`;
+}
+
+/**
+ * @param {Warning} warning
+ * @param {string} lacking
+ */
+const missingText = ({ names = [], finding, advice }, lacking) =>
+  `${names.length ? `${lacking}, because ${namesOf(names)} ${names.length > 1 ? "are" : "is"} missing.` : finding} ${advice}`;
 
 /** @param {Warning} warning */
 function trackText(warning) {
   switch (warning.code) {
     case "out_of_range":
     case "slip_out_of_range": return refusedText(warning);
-    case "not_coupled":
-      if (warning.pointer !== "/normal_load_n") return unsolvedText(warning);
-      return "no pull by the coupled form, because a torque is measured but no load is known. Choose “Normal load” at the operating point.";
+    case "missing_value": return missingText(warning, "no result");
+    case "missing_torque":
+    case "missing_load": return missingText(warning, "no pull by the coupled form");
+    case "not_coupled": return notCoupledText(warning);
     default: return pointText(warning);
   }
 }
@@ -169,27 +199,54 @@ function trackText(warning) {
  * @param {Warning} warning
  * @param {readonly number[]} lines of the rows
  */
-export const trackWarning = (warning, lines) => named(placed(atLines(warning, lines), trackText(warning)));
+export const trackWarning = (warning, lines) => placed(atLines(warning, lines), trackText(warning));
+
+/**
+ * An estimate that no soil comes near.
+ * @param {Warning} warning
+ * @param {string} law of pressure and sinkage
+ */
+function implausibleText({ quantity: name = "", value = 0, range }, law) {
+  const field = fieldOf(name, law);
+  const is = `${field.label} is ${valueText(field, value)}`;
+  if (typeof range?.lower !== "number") return `${is}, which no soil has. Check the units of the columns.`;
+  const most = typeof range.upper === "number" ? `to ${valueText(field, range.upper)} in size` : "or more";
+  return `${is}, where soils of the catalogue have ${valueText(field, range.lower)} ${most}. Check the units of the columns.`;
+}
+
+/**
+ * What holds of an estimate or a fitted column; null where the data do not tell.
+ * @param {Warning} warning
+ * @param {string} law of pressure and sinkage
+ */
+function fitFinding({ code, quantity: name = "", value, end, figures = [], names = [] }, law) {
+  if (GAPS[code] && names.length) return `${GAPS[code]}, so only the assumed shape of the stresses determines ${namesOf(names)}.`;
+  if (value === undefined) return null;
+  if (code === "at_bound" && PARAMETERS[name] && end) {
+    const field = fieldOf(name, law);
+    return `${field.label} lies at its ${end} bound ${valueText(field, value)}, which decides its value.`;
+  }
+  if (code === "column_missed" && MEASURED[name]) {
+    const [share] = figures;
+    return `${MEASURED[name].label} is off by ${quantity(name, value)} (rms)${share ? `, ${percent(100 * share.value)} of its size` : ""}.`;
+  }
+  return null;
+}
 
 /**
  * @param {Warning} warning
  * @param {string} law of pressure and sinkage
  */
 function fitText(warning, law) {
-  const { code, detail, quantity: name = "", value, range } = warning;
-  if (value === undefined) return detail;
-  if (code === "column_missed" && MEASURED[name]) return behind(detail, " (rms)", `${MEASURED[name].label} is off by ${quantity(name, value)}`);
-  if (code === "outside_catalogue" || !PARAMETERS[name]) return rangeText(warning);
-  const field = fieldOf(name, law);
-  const is = `${field.label} is ${valueText(field, value)}`;
-  switch (code) {
-    case "at_bound": return behind(detail, ", which", `${field.label} lies at its bound ${valueText(field, value)}`);
-    case "implausible_estimate":
-      if (typeof range?.lower !== "number") return behind(detail, ", ", is);
-      return `${is}, where soils of the catalogue have ${valueText(field, range.lower)} ${
-        typeof range.upper === "number" ? `to ${valueText(field, range.upper)} in size` : "or more"}. Check the units of the columns.`;
-    default: return detail;
+  const { code, quantity: name = "", value, names = [] } = warning;
+  if (code === "implausible_estimate" && PARAMETERS[name] && value !== undefined) return implausibleText(warning, law);
+  if (code === "not_identifiable" && names.length) {
+    return `the data do not determine ${namesOf(names)}. Hold ${names.length > 1 ? "one of them" : "it"} fixed or measure under other conditions; the table says why.`;
   }
+  if (code === "law_replaced") {
+    return `the ${nameOf("k_s")} is fitted, so the direct law replaces that of the preset and keeps its exponents. Tick ${namesOf(["k_c", "k_phi"])} instead to keep Bekker's law.`;
+  }
+  return `${fitFinding(warning, law) ?? rangeFinding(warning)} ${warning.advice}`;
 }
 
 /**
@@ -197,4 +254,4 @@ function fitText(warning, law) {
  * @param {Warning} warning
  * @param {string} law of pressure and sinkage
  */
-export const fitWarning = (warning, law) => capitalised(named(fitText(warning, law)));
+export const fitWarning = (warning, law) => capitalised(fitText(warning, law));

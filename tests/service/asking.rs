@@ -6,6 +6,8 @@ use serde_json::{Value, json};
 use terramechanics_server::{Limits, Service, app};
 use tower::ServiceExt;
 
+use crate::sentences::assert_told;
+
 /// An answer of the service.
 #[derive(Debug)]
 pub(crate) struct Answer {
@@ -24,10 +26,12 @@ impl Answer {
         self.headers.get(name).map_or("", |value| value.to_str().expect("a header of text"))
     }
 
-    /// The body of a 200.
+    /// The body of a 200, whose warnings are told as they have to be.
     pub(crate) fn ok(&self) -> Value {
         assert_eq!(self.status, StatusCode::OK, "{}", self.text);
-        self.json()
+        let reply = self.json();
+        assert_told(&reply);
+        reply
     }
 
     /// The body of a failure, which has to be a problem document of that status.

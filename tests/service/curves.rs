@@ -121,6 +121,7 @@ fn a_modulus_bounded_from_above_alone_is_not_determined() {
     let modulus = &reply["estimates"][2];
     assert_eq!((&reply["identifiable"], &modulus["standard_error"]), (&json!(false), &Value::Null), "{reply}");
     assert!(modulus["identifiability"].as_str().expect("words").contains("only from above"), "{modulus}");
+    assert_eq!(modulus["known"], json!({"code": "one_sided", "end": "upper"}));
 }
 
 #[test]

@@ -42,6 +42,17 @@ fn a_number_out_of_bounds_comes_with_its_bounds_and_unit() {
     ] {
         assert_eq!(json!(figures(pointer)), expected, "{pointer}");
     }
+    let sinkage = problem["errors"].as_array().into_iter().flatten().find(|error| error["pointer"] == "/sinkage_m");
+    assert_eq!(sinkage.map(|fault| &fault["maximum_from"]), Some(&json!("/wheel/radius_m")));
+}
+
+/// The sinkage that follows from a static one is no number of the request.
+#[test]
+fn a_refused_number_that_was_not_sent_is_not_given_as_that_of_the_field() {
+    let body = with(&letter(), json!({"slip": 0.9, "sinkage_m": null, "static_sinkage_m": 0.19}));
+    let answer = post("/v1/forces", &body);
+    assert!(answer.fault("/static_sinkage_m").contains("the sinkage"), "{}", answer.text);
+    assert!(answer.problem(422)["errors"][0]["value"].is_null(), "{}", answer.text);
 }
 
 #[test]

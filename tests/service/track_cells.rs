@@ -87,8 +87,12 @@ fn lines_of_objects_may_have_the_words_of_python_and_strings() {
     let lines: Vec<Value> = answer.text.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
     let statuses: Vec<&str> = lines[..5].iter().map(|line| line["status"].as_str().expect("a status")).collect();
     assert_eq!(statuses, ["ok", "missing_value", "missing_value", "unreadable", "ok"]);
-    let told = "At row 3: 1 value is not a number, at line 4: `slip` must be a number or null, not a string. Write numbers, and leave a cell empty where there is none.";
-    assert_eq!(lines[5]["warnings"][0], json!({"code": "unreadable", "detail": told, "rows": [[3, 3]], "count": 1}));
+    let finding = "1 value is not a number, at line 4: `slip` must be a number or null, not a string.";
+    let advice = "Write numbers, and leave a cell empty where there is none.";
+    let told = format!("At row 3: {finding} {advice}");
+    let warning =
+        json!({"code": "unreadable", "detail": told, "finding": finding, "advice": advice, "rows": [[3, 3]], "count": 1});
+    assert_eq!(lines[5]["warnings"][0], warning);
 }
 
 #[test]

@@ -27,7 +27,7 @@ function measured(svg) {
   const axis = (anchor, side) => {
     const ticks = [...svg.querySelectorAll(`.tick-label[text-anchor="${anchor}"]`)]
       .map((label) => ({ px: Number(label.previousElementSibling.getAttribute(side)), value: number(label.textContent) }));
-    const [first, last] = [ticks[0], ticks.at(-1)];
+    const [first, last] = [ticks[0], ticks[ticks.length - 1]];
     return { px: first.px, value: first.value, perPx: (last.value - first.value) / (last.px - first.px) };
   };
   return {

@@ -30,7 +30,7 @@ async function passes(browser, { name, body, refused, context: options }) {
     console.log(`ok ${name}`);
     return true;
   } catch (error) {
-    console.log([`FAILED ${name}`, error.stack, ...faults].join("\n"));
+    console.log([`FAILED ${name}`, error instanceof Error ? error.stack : error, ...faults].join("\n"));
     return false;
   } finally {
     await context.close();

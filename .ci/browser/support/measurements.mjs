@@ -8,7 +8,7 @@ export async function dropFile(page, text) {
     return carried;
   }, text);
   await page.dispatchEvent("#measurements-drop", "drop", { dataTransfer: transfer });
-  await page.waitForFunction(() => ["ready", "refused"].includes(document.querySelector("#measurements").dataset.state));
+  await page.waitForFunction(() => ["ready", "refused"].includes(document.querySelector("#measurements")?.getAttribute("data-state") ?? ""));
 }
 
 /** How many points a chart shows: each begins its circle with a move. */

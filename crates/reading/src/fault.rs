@@ -42,6 +42,10 @@ pub struct Figures {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     pub exclusive_maximum: Option<f64>,
+    /// Field that sets `maximum`, as a JSON pointer, where another field does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false, example = "/wheel/radius_m")]
+    pub maximum_from: Option<&'static str>,
     /// Unit of these numbers as a UCUM code; `1` for numbers without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "Pa")]

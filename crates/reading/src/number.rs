@@ -122,6 +122,7 @@ impl Number {
             minimum: Some(self.min).filter(|min| min.is_finite()),
             maximum: top.filter(|_| !self.open_above),
             exclusive_maximum: top.filter(|_| self.open_above),
+            maximum_from: None,
             unit: self.ucum(),
         }
     }

@@ -54,6 +54,14 @@ pub struct Driven {
     pub energy_per_metre: f64,
 }
 
+impl Driven {
+    /// Power Σ T ω (W) at a velocity v (m/s).
+    #[must_use]
+    pub fn power(&self, velocity: f64) -> f64 {
+        velocity * self.energy_per_metre
+    }
+}
+
 impl Vehicle {
     /// The rover at `slip` with a load (N) on each wheel of each station, see [`Vehicle::loads`].
     ///

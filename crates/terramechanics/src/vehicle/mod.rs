@@ -11,6 +11,8 @@
 //! Each wheel stands on its own soil, carries its own load, and is computed like a single one: the sinkage that carries the load, then
 //! the forces. Where the rover has stations, a wheel may run in the rut of the one before (`rut.rs`).
 //!
+//! The soils lie in the gravity of the rover: their weights change with it, their moduli do not (`gravity.rs`).
+//!
 //! Left out: the reaction of the torques on the body, the change of its pitch with the sinkages, suspension that evens out loads, and
 //! all motion across the slope.
 
@@ -167,14 +169,14 @@ impl Vehicle {
     pub const PARAMETERS: &'static [Parameter] =
         &[Self::MASS, Self::GRAVITY, Self::SLOPE, Self::HITCH_PULL, Self::SLIP_LIMIT, Self::POSITION, Self::HEIGHT];
 
-    /// Checks the parts.
+    /// Checks the parts, and takes every soil to the gravity of the rover ([`crate::Soil::in_gravity`]).
     ///
     /// # Errors
     /// [`VehicleError::Invalid`] for a value outside its range; [`VehicleError::NoWheels`]; [`VehicleError::NoBase`] where a centre of
     /// mass is given but not two stations at different places; [`VehicleError::NoOrder`] where wheels are to follow in ruts but stand
     /// at unknown places; [`VehicleError::RutByOtherMethod`] where they are to do so by another method than the quadrature with one
     /// zone of braking.
-    pub fn new(params: VehicleParams) -> Result<Self, VehicleError> {
+    pub fn new(mut params: VehicleParams) -> Result<Self, VehicleError> {
         let centre = params.centre_of_mass.iter().flat_map(|of| [(&Self::POSITION, of.position), (&Self::HEIGHT, of.height)]);
         let positions = params.stations.iter().filter_map(|station| Some((&Self::POSITION, station.position?)));
         let unloading = params.unloading.iter().flat_map(Unloading::named);
@@ -204,6 +206,10 @@ impl Vehicle {
                 rut::order(&places)
             }
         };
+        for station in &mut params.stations {
+            let soil = &mut station.system.soil;
+            *soil = soil.in_gravity(params.gravity).map_err(|invalid| VehicleError::Invalid(invalid.faults[0]))?;
+        }
         let wheels = params.stations.iter().map(|station| f64::from(station.count)).sum();
         Ok(Self { params, wheels, order })
     }

@@ -2,9 +2,10 @@
 
 use terramechanics::{Error, Slip, Wheel};
 use terramechanics_identification::{Column, Observations, Quantity};
-use terramechanics_reading::{Alternative, Either, Field, Figures, Number, Numbers, Object, OneOf, Reader};
+use terramechanics_reading::{Alternative, Either, Field, Number, Numbers, Object, OneOf, Reader};
 
 use crate::request::motion::RATIO;
+use crate::request::sinkage_figures;
 
 /// Numbers that a column has at most.
 const MOST: usize = 10_001;
@@ -119,7 +120,7 @@ fn sinkages_within(data: &Reader<'_>, sinkages: Option<&[f64]>, wheel: Option<&W
     let (Some(sinkages), Some(wheel)) = (sinkages, wheel) else { return true };
     let radius = wheel.radius();
     let Some(row) = sinkages.iter().position(|&sinkage| sinkage > radius) else { return true };
-    let figures = Figures { maximum: Some(radius), ..SINKAGE.kind.number.figures(sinkages[row]) };
+    let figures = sinkage_figures(sinkages[row], radius);
     data.place_of(&SINKAGE).item(row).report(figures, Error::SinkageOutsideWheel { sinkage: sinkages[row], radius });
     false
 }
