@@ -60,10 +60,14 @@ def before_load_schema(context, raw_schema):
         if name == "TrackRequest":
             groups = [TRACKED_SINKAGE]
             schema = requiring(schema, [], without=[*BESIDE_COLUMNS, *BEYOND_THE_SCHEMA])
+        if name == "VehicleRequest":
+            schemas[name] = one_of(rovers(schema))
         if groups:
             variants = (chosen(schema, groups, choice) for choice in product(*groups))
             zoned = (variant for choice in variants for variant in by_zones(choice))
             schemas[name] = one_of(variant for of in zoned for variant in straight_or_sideways(of))
+    # Rovers on so many slopes that they are refused by their price are tests of the service.
+    schemas["SlopeRange"]["properties"]["points"]["maximum"] = 9
     wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
     schemas["Wheel"] = one_of(
         [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
@@ -107,6 +111,16 @@ def null_is_absent(schema):
         fields = schema["properties"]
         for name in fields.keys() - set(schema.get("required", [])):
             fields[name] = {"anyOf": [fields[name], {"type": "null"}]}
+
+
+def rovers(schema):
+    """Rovers with wheels that are alike, with stations, and with stations in ruts, each on the soil of all."""
+    alike = requiring(schema, ["wheels", "soil"], without=["stations", "centre_of_mass", "rut", "unloading"])
+    apart = requiring(schema, ["stations", "soil"], without=["wheels", "rut", "unloading"])
+    in_ruts = requiring(schema, ["stations", "soil", "rut"], without=["wheels"])
+    in_ruts["properties"]["rut"]["enum"] = [True]
+    in_ruts["properties"]["method"]["enum"] = ["quadrature"]
+    return [alike, apart, in_ruts]
 
 
 def measurements(schemas):
