@@ -24,6 +24,9 @@ SINKAGE = (
 )
 SLIP = (["slip"], ["forward_velocity_m_s", "angular_velocity_rad_s"])
 
+# The same of one operating point, whose slip may be solved from its pull.
+SOLVED_SLIP = (*SLIP, ["longitudinal_force_n"], ["drawbar_coefficient"])
+
 # The same of a run over samples.
 TRACKED_SINKAGE = (["static_sinkage_m"], ["normal_load_n"], ["static_sinkage_m", "normal_load_n"])
 
@@ -55,7 +58,8 @@ NOT_PUBLISHED = "is required: the catalogue has no published value"
 def before_load_schema(context, raw_schema):
     schemas = raw_schema["components"]["schemas"]
     for name, schema in schemas.items():
-        groups = [group for group in (SINKAGE, SLIP) if has(schema, sum(group, []))]
+        slip = SOLVED_SLIP if has(schema, sum(SOLVED_SLIP, [])) else SLIP
+        groups = [group for group in (SINKAGE, slip) if has(schema, sum(group, []))]
         if name == "TrackColumns":
             schema = samples(schema)
         if name == "CompareRequest":
@@ -65,6 +69,8 @@ def before_load_schema(context, raw_schema):
         if name == "TrackRequest":
             groups = [TRACKED_SINKAGE]
             schema = requiring(schema, [], without=[*BESIDE_COLUMNS, *BEYOND_THE_SCHEMA])
+        if name == "VehicleRequest":
+            schemas[name] = one_of(rovers(schema))
         if groups:
             variants = (chosen(schema, groups, choice) for choice in product(*groups))
             laid_apart = (variant for choice in variants for variant in by_soil(choice))
@@ -72,6 +78,8 @@ def before_load_schema(context, raw_schema):
             schemas[name] = one_of(variant for of in zoned for variant in straight_or_sideways(of))
         if name == "TowedRequest":
             schemas[name] = one_of(by_soil(schema))
+    # Rovers on so many slopes that they are refused by their price are tests of the service.
+    schemas["SlopeRange"]["properties"]["points"]["maximum"] = 9
     wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
     schemas["Wheel"] = one_of(
         [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
@@ -121,6 +129,16 @@ def null_is_absent(schema):
         fields = schema["properties"]
         for name in fields.keys() - set(schema.get("required", [])):
             fields[name] = {"anyOf": [fields[name], {"type": "null"}]}
+
+
+def rovers(schema):
+    """Rovers with wheels that are alike, with stations, and with stations in ruts, each on the soil of all."""
+    alike = requiring(schema, ["wheels", "soil"], without=["stations", "centre_of_mass", "rut", "unloading"])
+    apart = requiring(schema, ["stations", "soil"], without=["wheels", "rut", "unloading"])
+    in_ruts = requiring(schema, ["stations", "soil", "rut"], without=["wheels"])
+    in_ruts["properties"]["rut"]["enum"] = [True]
+    in_ruts["properties"]["method"]["enum"] = ["quadrature"]
+    return [alike, apart, in_ruts]
 
 
 def measurements(schemas):
@@ -173,7 +191,7 @@ def one_way(parameters):
     given = ["wheel.preset", "soil.preset", "sinkage_m", "slip", "slip.from", "slip.to", "slip.points"]
     if "sinkage_m" not in {of["name"] for of in parameters}:
         given.append("normal_load_n")
-    others = [name for group in (SINKAGE, SLIP) for way in group for name in way if name not in given]
+    others = [name for group in (SINKAGE, SOLVED_SLIP) for way in group for name in way if name not in given]
     others += ["braking", *SIDEWAYS]
     tagged = ("contact.", "slip_sinkage.", "soil.pressure_sinkage.", "soil.shear.")
     kept = [of for of in parameters if of["name"] not in others and not of["name"].startswith(tagged)]

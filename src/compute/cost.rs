@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use terramechanics::{Method, Operation, Sinkage};
+use terramechanics::{Method, Operation, Sinkage, Vehicle};
 
 use super::SLICE;
 
@@ -25,6 +25,9 @@ const ALLOWANCE: f64 = 1e9;
 
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
 const SOLVED: f64 = 60e6;
+
+/// How many times the cost of a load balance one in a rut has.
+const RUT: f64 = 2.0;
 
 /// What one operating point costs, in nanoseconds.
 #[derive(Debug, Clone, Copy)]
@@ -62,16 +65,20 @@ const POINTS: [[Point; 3]; 3] = [
 
 impl Point {
     fn of(operation: &Operation) -> Self {
-        let by_method = match operation.model.method {
-            Method::Linearised { .. } | Method::Explicit { .. } => &POINTS[0],
-            Method::Quadrature | Method::ResistiveForce => &POINTS[1],
-            Method::SideSlipping(_) => &POINTS[2],
-        };
-        let [known, solved, under_load] = *by_method;
+        let [known, solved, under_load] = Self::by_method(operation.model.method);
         match operation.sinkage {
             Sinkage::Given(_) | Sinkage::FromStatic { .. } => known,
             Sinkage::CarryingLoad(_) => solved,
             Sinkage::UnderLoad { .. } => under_load,
+        }
+    }
+
+    /// With a known sinkage, with one solved for a load, and with a load known beside the sinkage.
+    fn by_method(method: Method) -> [Self; 3] {
+        match method {
+            Method::Linearised { .. } | Method::Explicit { .. } => POINTS[0],
+            Method::Quadrature | Method::ResistiveForce => POINTS[1],
+            Method::SideSlipping(_) => POINTS[2],
         }
     }
 
@@ -130,6 +137,12 @@ impl Cost {
         Self { usual: times * usual + Point::ROW, price: if is_solved { SOLVED } else { times * price } }
     }
 
+    /// The cost of the slip that gives a pull: it usually takes some thirty operating points, and at most some 1500.
+    pub(crate) fn of_solved_slip(operation: &Operation) -> Self {
+        let Point { usual, .. } = Point::of(operation);
+        Self { usual: 30.0 * usual + Point::ROW, price: ALLOWANCE }
+    }
+
     /// The cost of `points` operating points for each of several operations, and of writing their rows.
     pub(crate) fn of_points(operations: impl IntoIterator<Item = Operation>, points: usize) -> Self {
         let count = points as f64;
@@ -142,6 +155,17 @@ impl Cost {
         }
         let allowance = if price > NEXT_TO_NOTHING { ALLOWANCE } else { 0.0 };
         Self { usual, price: price + allowance }
+    }
+
+    /// The cost of a rover on so many slopes: each takes some fifteen slips, and the largest slope some hundred and fifty, with a load
+    /// balance for every station at each.
+    pub(crate) fn of_vehicle(vehicle: &Vehicle, slopes: usize) -> Self {
+        let params = vehicle.params();
+        let [_, loaded, _] = Point::by_method(params.model.method);
+        let in_rut = if params.unloading.is_some() { RUT } else { 1.0 };
+        let slips = 15.0 * slopes as f64 + 150.0;
+        let usual = slips * params.stations.len() as f64 * in_rut * loaded.usual + slopes as f64 * Point::ROW;
+        Self { usual, price: ALLOWANCE + 3.0 * usual }
     }
 
     /// The cost of one evaluation of closed forms.

@@ -14,6 +14,7 @@ pub(crate) mod method;
 pub(crate) mod motion;
 pub(crate) mod operation;
 pub(crate) mod preset;
+pub(crate) mod pull;
 mod refusal;
 pub(crate) mod side_slip;
 pub(crate) mod sinkage;

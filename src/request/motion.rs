@@ -20,6 +20,11 @@ const ANGULAR_VELOCITY: Field<Number> =
 
 pub(crate) const MOTION: Group = &[&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY];
 
+/// Whether something of a motion was sent, right or wrong.
+pub(crate) fn is_given(object: &Reader<'_>) -> bool {
+    [&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY].into_iter().any(|field| object.has(field))
+}
+
 /// The motion: from the slip, or from both velocities and the circle of the wheel on which the slip is counted.
 pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>, circles: Option<Circles>) -> Option<Motion> {
     let slip = object.optional(&SLIP);

@@ -52,7 +52,7 @@ impl Prediction {
 /// The operating point of a row, or why there is none.
 fn point(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
     let case = case(record, run, row, shear_modulus).map_err(Reason::Request)?;
-    let point = case.operation.at(case.motion.slip).map_err(Reason::Model)?;
+    let (_, point) = case.point().map_err(Reason::Model)?;
     let cautions = cautions(&case.operation, &Outcome::from(&point)).collect();
     Ok((point, cautions))
 }

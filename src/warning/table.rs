@@ -1,5 +1,6 @@
 //! The table of findings: to add one is to add an entry, and to raise it where it is found.
 
+use terramechanics::Nearest;
 use terramechanics_identification::{DesignGap, StopReason};
 
 use super::Measure;
@@ -131,6 +132,60 @@ findings! { many;
         let points = if many { "these points" } else { "this point" };
         if pointer.is_empty() { format!("Leave {points} out.") } else { format!("Change `{pointer}`, or leave {points} out.") }
     };
+
+    "not_climbed" NotClimbed { needed: f64, reached: f64, slip: f64, nearest: Nearest }
+    means "No slip gives the pull that the slope and the hitch of a rover need: the pull needed, and the one that comes nearest."
+    about {
+        let bound = |of: Nearest| (*nearest == of).then_some(*reached);
+        Measure::of("needed_pull_n", *needed).beyond(bound(Nearest::Least), bound(Nearest::Largest), "the pull at slips from -1 to 1")
+    },
+    field "/slope_rad",
+    figure Figure::of("slip", *slip, "1"),
+    says format!(
+        "no slip gives the {} that slope and hitch need{}: {} pull is {}, at a slip of {}.",
+        with_unit(*needed, "N"),
+        if many { " on the first of these slopes" } else { "" },
+        nearest.in_words(),
+        with_unit(*reached, "N"),
+        number(*slip)
+    ),
+    advises "`largest_slope_rad` has the largest slope that the rover climbs.";
+
+    "slip_beyond_limit" SlipBeyondLimit { slip: f64, limit: f64 }
+    means "A rover climbs a slope only with more slip than the limit."
+    about Measure::of("slip", *slip).in_unit("1").beyond(None, Some(*limit), "`slip_limit` of the request"),
+    field "/slip_limit",
+    says format!("the rover climbs only with a slip of {}, above the limit {}.", number(*slip), number(*limit)),
+    advises "Take care: a rover that slips so much digs itself in. `largest_slope_rad` has the largest slope below the limit.";
+
+    "wheel_lifts" WheelLifts { station: usize, load: f64, slope: f64 }
+    means "By statics a wheel of a rover would have to pull the ground up: it lifts off, and the rover tips over."
+    about Measure::of("normal_load_n", *load).beyond(Some(0.0), None, "statics of a rigid body"),
+    field "/centre_of_mass",
+    figure Figure::of("slope", *slope, "rad"),
+    says format!(
+        "the wheel of station {station} lifts off on a slope of {}: statics ask for a load of {} there.",
+        with_unit(*slope, "rad"),
+        with_unit(*load, "N")
+    ),
+    advises "Lower the centre of mass, move it uphill, or set the wheels further apart.";
+
+    "climb_ends_by_wheel" ClimbEndsByWheel { reason: String }
+    means "The largest slope is where a wheel lifts off or has no answer, not where the pull ends."
+    field "/centre_of_mass",
+    says format!("the largest slope is not where the pull ends, because on a steeper one {reason}."),
+    advises "With other loads the rover may climb further.";
+
+    "climbs_everything" ClimbsEverything { slope: f64 }
+    means "The rover climbs every slope that is tried."
+    about Measure::of("slope_rad", *slope),
+    says format!("the rover climbs every slope up to {}, the largest that is tried.", with_unit(*slope, "rad")),
+    advises "Check the cohesion and the friction angle: no loose soil is that strong.";
+
+    "no_largest_slope" NoLargestSlope { reason: String }
+    means "There is no slope that the rover climbs, level ground and descents included."
+    says format!("`largest_slope_rad` is null, because {reason}."),
+    advises "Check the mass, the soil and the pull at the hitch.";
 
     "missing_value" MissingValue { columns: Vec<(&'static str, u64)> }
     means "Samples of a track lack a value: how many, the first, and which value."

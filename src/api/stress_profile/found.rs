@@ -65,7 +65,8 @@ fn by_laws(case: &ProfileCase, point: &OperatingPoint) -> Result<(StressProfile,
 /// The same of dry grains, in the stiffness that the point has: the soil's, or what a known load shows.
 fn in_grain(case: &ProfileCase, point: &OperatingPoint) -> Result<(StressProfile, Stresses, bool), Error> {
     let ProfileCase { operation: Operation { system, model, .. }, peak_depth, points, .. } = case;
-    let soil = Soil::new(SoilParams { granular_stiffness: point.granular_stiffness, ..*system.soil.params() }).map_err(|_| Error::NotFinite)?;
+    let soil = Soil::new(SoilParams { granular_stiffness: point.granular_stiffness, ..*system.soil.params() })
+        .map_err(|_| Error::NotFinite)?;
     let system = WheelOnSoil { soil, ..*system };
     let rolling = model.rolling(&system, point.slip)?;
     let patch = model.contact(&rolling, point.sinkage)?;

@@ -16,6 +16,7 @@ mod method;
 mod panels;
 mod quadrature;
 pub(crate) mod resistive;
+pub(crate) mod rutted;
 mod shape;
 mod side;
 

@@ -40,15 +40,19 @@ pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>) -> Forces {
     let patch = stresses.patch;
     let rim = Rim::of(stresses);
     let integrals = match patch.zones() {
-        None => integrals::<_, { OneZone::FEW }>(&rim, &OneZone(patch)),
+        None => integrals::<_, _, { OneZone::FEW }>(&rim, &OneZone(patch)),
         Some(zones) => integrals_of_two_zones(&rim, &zones),
     };
     forces_of(model, patch, &integrals)
 }
 
 /// The forces of a contact whose shear stress follows a law of its own.
-pub(super) fn forces_by<S: Shearing, const FEW: usize>(model: &ForceModel, rim: &Rim<'_>, shearing: &S) -> Forces {
-    forces_of(model, rim.patch, &integrals::<S, FEW>(rim, shearing))
+pub(super) fn forces_by<P: Pressing, S: Shearing<P>, const FEW: usize>(
+    model: &ForceModel,
+    rim: &Rim<'_, P>,
+    shearing: &S,
+) -> Forces {
+    forces_of(model, rim.patch, &integrals::<P, S, FEW>(rim, shearing))
 }
 
 #[inline]
@@ -67,7 +71,7 @@ fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Sums) -> 
 }
 
 /// The integrals, from at most `FEW` panels to begin with.
-fn integrals<S: Shearing, const FEW: usize>(rim: &Rim<'_>, shearing: &S) -> Sums {
+fn integrals<P: Pressing, S: Shearing<P>, const FEW: usize>(rim: &Rim<'_, P>, shearing: &S) -> Sums {
     integrate::<_, FEW>(&shearing.edges(rim), |from, to| rim.panel(shearing, from, to))
 }
 
@@ -75,7 +79,7 @@ fn integrals<S: Shearing, const FEW: usize>(rim: &Rim<'_>, shearing: &S) -> Sums
 #[cold]
 #[inline(never)]
 fn integrals_of_two_zones(rim: &Rim<'_>, zones: &Zones) -> Sums {
-    integrals::<_, { TwoZones::FEW }>(rim, &TwoZones(rim.patch, zones))
+    integrals::<_, _, { TwoZones::FEW }>(rim, &TwoZones(rim.patch, zones))
 }
 
 /// Sums over a panel, or over all of them.
@@ -132,24 +136,46 @@ impl Resolved for Sums {
     }
 }
 
+/// How the soil presses on the rim at a depth.
+pub(super) trait Pressing {
+    /// Normal stress (Pa) under a depth (m).
+    fn pressure(&self, depth: f64) -> f64;
+}
+
+impl Pressing for PressureCurve {
+    #[inline(always)]
+    fn pressure(&self, depth: f64) -> f64 {
+        PressureCurve::pressure(self, depth)
+    }
+}
+
 /// How the soil is sheared on the two sides of the peak. A type of its own for each law, so that neither pays for the other.
-pub(super) trait Shearing {
+pub(super) trait Shearing<P = PressureCurve> {
     /// E at a place ahead of the peak, and at one behind it.
     fn ahead(&self, point: &RimPoint) -> f64;
     fn behind(&self, point: &RimPoint) -> f64;
 
     /// Ends of the panels: the ends of thin layers of shear, and the places where E is not smooth.
-    fn edges(&self, rim: &Rim<'_>) -> Edges;
+    fn edges(&self, rim: &Rim<'_, P>) -> Edges;
 }
 
-struct OneZone<'a>(&'a ContactPatch<'a>);
+pub(super) struct OneZone<'a>(pub(super) &'a ContactPatch<'a>);
 
 impl OneZone<'_> {
     /// Panels to begin with at the most: parted by a layer of shear and two reversals.
-    const FEW: usize = 4;
+    pub(super) const FEW: usize = 4;
+
+    /// Ends of the panels but for the last one.
+    #[inline(always)]
+    pub(super) fn open_edges<P: Pressing>(&self, rim: &Rim<'_, P>) -> Edges {
+        let mut edges = Edges::new();
+        rim.split_layer(&mut edges, self.0.shear_layer());
+        rim.split_reversals(&mut edges);
+        edges
+    }
 }
 
-impl Shearing for OneZone<'_> {
+impl<P: Pressing> Shearing<P> for OneZone<'_> {
     #[inline(always)]
     fn ahead(&self, point: &RimPoint) -> f64 {
         self.0.mobilisation_of_one_zone(point)
@@ -161,11 +187,8 @@ impl Shearing for OneZone<'_> {
     }
 
     #[inline(always)]
-    fn edges(&self, rim: &Rim<'_>) -> Edges {
-        let mut edges = Edges::new();
-        rim.split_layer(&mut edges, self.0.shear_layer());
-        rim.split_reversals(&mut edges);
-        edges.close()
+    fn edges(&self, rim: &Rim<'_, P>) -> Edges {
+        self.open_edges(rim).close()
     }
 }
 
@@ -197,9 +220,9 @@ impl Shearing for TwoZones<'_> {
 }
 
 /// The arcs of a contact.
-pub(super) struct Rim<'a> {
+pub(super) struct Rim<'a, P = PressureCurve> {
     pub(super) patch: &'a ContactPatch<'a>,
-    pub(super) curve: &'a PressureCurve,
+    pub(super) curve: &'a P,
     /// θ1 − θm, θm − θ2 and θ1 − θ2.
     pub(super) front: f64,
     pub(super) rear: f64,
@@ -208,7 +231,13 @@ pub(super) struct Rim<'a> {
 
 impl<'a> Rim<'a> {
     pub(super) fn of(stresses: &StressField<'a>) -> Self {
-        let StressField { patch, curve } = *stresses;
+        Self::pressed(stresses.patch, stresses.curve)
+    }
+}
+
+impl<'a, P: Pressing> Rim<'a, P> {
+    /// The rim in a contact, pressed by the soil as `curve` says.
+    pub(super) fn pressed(patch: &'a ContactPatch<'a>, curve: &'a P) -> Self {
         let Angles { entry, peak, exit } = patch.angles;
         Self { patch, curve, front: entry - peak, rear: peak - exit, whole: entry - exit }
     }
@@ -233,7 +262,7 @@ impl<'a> Rim<'a> {
         }
     }
 
-    fn panel<S: Shearing>(&self, shearing: &S, from: f64, to: f64) -> Sums {
+    fn panel<S: Shearing<P>>(&self, shearing: &S, from: f64, to: f64) -> Sums {
         let Self { patch, curve, front: front_arc, rear: rear_arc, whole } = *self;
         let length = to - from;
         let mut sums = Sums::default();
