@@ -66,7 +66,7 @@ pub(super) fn check_columns(layout: Layout, beside: BesideColumns, place: &Scope
     if !known_sinkage && !normal_load {
         refuse(place.field("static_sinkage_m"), "is required, or `normal_load_n`, or a column `sinkage_m`");
     }
-    if !law && !(known_sinkage && normal_load) {
+    if !(law || known_sinkage && normal_load) {
         let detail = "is required, unless the load is known beside the sinkage";
         refuse(place.field("soil").field("pressure_sinkage"), detail);
     }
