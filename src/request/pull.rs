@@ -1,6 +1,6 @@
 //! What tells the slip of one operating point: the motion, or the pull that the wheel is to give.
 
-use terramechanics::{Motion, Pull, Wheel};
+use terramechanics::{Circles, Motion, Pull, Wheel};
 use terramechanics_reading::{Field, Group, Number, Reader};
 
 use super::laws::field;
@@ -25,12 +25,12 @@ pub(crate) enum SlipFrom {
 }
 
 /// The motion or the pull, of which there is one.
-pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<SlipFrom> {
+pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>, circles: Option<Circles>) -> Option<SlipFrom> {
     let fields = [&LONGITUDINAL_FORCE, &DRAWBAR_COEFFICIENT];
     let given: Vec<_> = fields.into_iter().filter(|field| object.has(field)).collect();
     let values = fields.map(|field| object.optional(field).flatten());
     if given.is_empty() {
-        return motion::read(object, wheel).map(SlipFrom::Motion);
+        return motion::read(object, wheel, circles).map(SlipFrom::Motion);
     }
     if given.len() > 1 || motion::is_given(object) {
         let [force, coefficient] = fields.map(|field| field.name);

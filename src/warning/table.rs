@@ -113,6 +113,15 @@ findings! { many;
     },
     advises "Check its unit.";
 
+    "assumed_values" AssumedValues { values: Vec<(String, f64)> }
+    means "Values of a preset that were never published were assumed, as the request allowed: which, and with what value. The answer lists under `assumed` where each comes from."
+    field "/assume",
+    says {
+        let values: Vec<String> = values.iter().map(|(field, value)| format!("`{field}` = {}", number(*value))).collect();
+        format!("never published and assumed: {}.", listed(&values))
+    },
+    advises "Look under `assumed` where each value comes from, and send your own where it is known.";
+
     "no_solution" NoSolution { reason: Reason, pointer: &'static str }
     means "Points of a sweep or samples of a track have no solution: which, and why the first has none."
     about reason.measure(),
@@ -291,6 +300,12 @@ findings! { many;
     says "the linear stresses are null: no shear stress acts at the peak of a braking wheel with two zones.",
     advises "Choose `one_zone` to get them.";
 
+    "no_linear_stresses" NoLinearStressesInGrains {}
+    means "The linear stresses of a profile by the method resistive_force are null, because it has no linear form."
+    field "/method",
+    says "the linear stresses are null: the method `resistive_force` has no linear form.",
+    advises "Use the quadrature to get them.";
+
     "not_converged" NotConverged { stop: StopReason }
     means "The search for parameters ended before a minimum; stop_reason says why."
     says match stop {
@@ -430,6 +445,18 @@ findings! { many;
         format!("`{parameter}` is {value}, {beyond}.")
     },
     advises "Check the units of the data (SI).";
+
+    "may_be_the_interface" MayBeTheInterface { parameters: Vec<&'static str> }
+    means "The wheel has no lugs: a bare rim slips on the grains before the soil shears in itself, so that the strength and the shear modulus that a fit finds may be those between rim and soil."
+    field "/contact",
+    names parameters.clone(),
+    says format!(
+        "the wheel has no lugs, so that {} may belong to the interface of rim and soil. The soil by itself is stronger and shears over \
+         a longer way.",
+        quoted(parameters)
+    ),
+    advises "Use the values for wheels like this one, or give those of the soil and fit `interface_friction_angle_rad` and \
+             `interface_shear_modulus_m`.";
 
     "law_replaced" LawReplaced {}
     means "`k_s` is fitted, so the law `direct` replaces that of the preset."

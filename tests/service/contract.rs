@@ -280,6 +280,17 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
         }
         assert!(body.pointer(pointer).is_some() || path == "/v1/identify", "{pointer}");
     }
+    for object in ["exit", "interface"].into_iter().filter(|object| field.pointer.starts_with(&format!("/contact/{object}/"))) {
+        body = with(&body, json!({"contact": {"rule": "midpoint", "c1": null, "c2": null, "c3": null, object: {}}}));
+    }
+    // An interface is no stronger than its soil.
+    if field.pointer == "/contact/interface/friction_angle_rad" {
+        let friction = value.clamp(0.0, std::f64::consts::FRAC_PI_2.next_down());
+        body = with(&body, json!({"soil": {"friction_angle_rad": friction}}));
+    }
+    if field.pointer == "/contact/interface/adhesion_pa" {
+        body = with(&body, json!({"soil": {"cohesion_pa": value.clamp(0.0, 1e8)}}));
+    }
     if path == "/v1/identify" {
         body = identification(&body, &field.pointer);
     }
@@ -351,6 +362,11 @@ fn identification(body: &Value, pointer: &str) -> Value {
         }
         "/start/c1" | "/start/c2" => json!({"contact": {"rule": "wong_reece", "c1": 0.4, "c2": 0.1}, "start": {}}),
         "/start/lambda_a" | "/start/lambda_b" => json!({"method": "explicit", "start": {}}),
+        "/start/interface_adhesion_pa" => json!({"start": {}, "soil": {"cohesion_pa": 1e8}}),
+        "/start/interface_friction_angle_rad" => {
+            json!({"start": {}, "soil": {"friction_angle_rad": std::f64::consts::FRAC_PI_2.next_down()}})
+        }
+        _ if pointer.starts_with("/bounds/interface_adhesion_pa") => json!({"soil": {"cohesion_pa": 1e8}}),
         _ if pointer.starts_with("/start/") => json!({"start": {}}),
         "/standard_deviation/sinkage_m/0" => json!({"standard_deviation": {name: [1.0, 1.0]}}),
         _ if pointer.starts_with("/standard_deviation") && pointer.ends_with("/0") => {

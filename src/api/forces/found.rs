@@ -37,7 +37,7 @@ impl ForcesCase {
 pub(crate) fn forces(case: &ForcesCase) -> Result<FoundForces, Problem> {
     let operation = case.operation;
     let (motion, point) = case.point().map_err(|error| Problem::refused(&error, &operation.sinkage))?;
-    let outcome = Outcome::from(&point);
+    let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
     let warnings = of_point(cautions(&operation, &outcome), &operation.system, motion.heading);
     Ok(FoundForces { operation, motion, point, warnings })
 }

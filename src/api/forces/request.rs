@@ -3,6 +3,7 @@
 use terramechanics::Operation;
 use terramechanics_reading::{Object, Reader};
 
+use crate::request::circles::CIRCLES;
 use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
 use crate::request::motion::MOTION;
 use crate::request::pull::{self, PULL, SlipFrom};
@@ -23,13 +24,13 @@ impl Request for ForcesCase {
     const OBJECT: &'static Object = &Object {
         name: "ForcesRequest",
         doc: "One operating point: a wheel on a soil at one slip (`slip`, both velocities, or the pull that solves it) and one sinkage (exactly one of `sinkage_m`, `static_sinkage_m`, `normal_load_n`).",
-        groups: &[SYSTEM, MOTION, PULL, SINKAGE, METHOD, STRESSES, BRAKING, LAMBDAS, SIDE_SLIP],
+        groups: &[SYSTEM, CIRCLES, MOTION, PULL, SINKAGE, METHOD, STRESSES, BRAKING, LAMBDAS, SIDE_SLIP],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
         let method = |object: &Reader<'_>, peak| side_slip::read(object, method::read(object, peak));
         let found = operation::read(object, sinkage::read, method);
-        let slip = pull::read(object, found.wheel.as_ref());
+        let slip = pull::read(object, found.wheel.as_ref(), found.circles);
         Some(Self { operation: found.operation?, slip: slip? })
     }
 }

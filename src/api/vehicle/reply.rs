@@ -247,4 +247,11 @@ impl Reply for VehicleReply {
             Self::Several(several) => &several.warnings,
         }
     }
+
+    fn warn(&mut self, warning: Warning) {
+        match self {
+            Self::One(one) => one.warnings.push(warning),
+            Self::Several(several) => several.warnings.push(warning),
+        }
+    }
 }

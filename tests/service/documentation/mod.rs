@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod clients;
+mod evidence;
 mod links;
 mod operations;
 mod readme;

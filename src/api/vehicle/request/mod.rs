@@ -9,6 +9,8 @@ pub(crate) use slopes::Slopes;
 use terramechanics::{ForceModel, STANDARD_GRAVITY, Vehicle, VehicleError, VehicleParams, Velocities};
 use terramechanics_reading::{Field, Number, Object, Reader};
 
+use crate::request::assume::ASSUME;
+use crate::request::circles::CIRCLES;
 use crate::request::laws::{field, field_or_default, number};
 use crate::request::method::{self, LAMBDAS, METHOD, METHOD_FIELD, NORMAL_STRESS_RADIUS, PEAK_SINKAGE, STRESSES};
 use crate::request::system::CONTACT;
@@ -69,7 +71,9 @@ impl Request for VehicleCase {
                 &FORWARD_VELOCITY,
                 &RUT,
                 &UNLOADING,
+                &ASSUME,
             ],
+            CIRCLES,
             METHOD,
             STRESSES,
             LAMBDAS,

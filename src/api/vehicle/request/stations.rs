@@ -4,8 +4,9 @@ use terramechanics::{Braking, CentreOfMass, Contact, Station, Vehicle, WheelOnSo
 use terramechanics_reading::{Field, Number, Object, Objects, Reader};
 
 use crate::request::laws::{number, number_or_default};
-use crate::request::soil::{self, FoundSoil, Needs};
+use crate::request::soil::{self, FoundSoil};
 use crate::request::system::{CONTACT, WHEEL, read_contact, read_wheel};
+use crate::request::{circles, method};
 
 /// Most wheels of a rover.
 const MOST_WHEELS: usize = 64;
@@ -71,12 +72,13 @@ struct Ground {
 
 /// The wheels, in one of two ways.
 pub(super) fn read(object: &Reader<'_>) -> Option<FoundStations> {
+    let (circles, needs) = (circles::read(object), method::needs(object));
     let soil = match object.optional(&SOIL) {
-        Some(Some(own)) => soil::read(&own, Needs::ALL).map(Some),
+        Some(Some(own)) => soil::read(&own, needs).map(Some),
         Some(None) => Some(None),
         None => None,
     };
-    let contact = read_contact(object, soil.as_ref().and_then(Option::as_ref), Needs::ALL);
+    let contact = read_contact(object, soil.as_ref().and_then(Option::as_ref), circles, needs);
     let ground = || Some(Ground { soil: soil?, contact: contact?, is_chosen: object.has(&CONTACT) });
     match (object.has(&WHEELS), object.has(&STATIONS)) {
         (true, true) => {
@@ -105,17 +107,22 @@ pub(super) fn read(object: &Reader<'_>) -> Option<FoundStations> {
 }
 
 fn stations(object: &Reader<'_>, ground: impl Fn() -> Option<Ground>) -> Option<FoundStations> {
+    let needs = method::needs(object);
     let items = object.optional(&STATIONS)??;
     let ground = ground();
     let mut lacks_soil = false;
     let read = items.each(|station, _| {
         let (position, wheel) = (station.required(&X), read_wheel(station));
-        let own = station.optional(&OWN_SOIL)?.map(|own| soil::read(&own, Needs::ALL));
+        let own = station.optional(&OWN_SOIL)?.map(|own| soil::read(&own, needs));
         let has_own_soil = own.is_some();
         let (soil, contact) = match (own, ground.as_ref()?) {
             (Some(own), ground) => {
                 let own = own?;
-                let contact = if ground.is_chosen { ground.contact } else { read_contact(object, Some(&own), Needs::ALL)? };
+                let contact = if ground.is_chosen {
+                    ground.contact
+                } else {
+                    read_contact(object, Some(&own), Some(ground.contact.circles()), needs)?
+                };
                 (own.soil, contact)
             }
             (None, Ground { soil: Some(shared), contact, .. }) => (shared.soil, *contact),
