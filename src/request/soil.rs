@@ -57,6 +57,8 @@ impl Described for Soil {
 pub(crate) struct Needs<'a> {
     /// Whether the pressure–sinkage law has an influence; else it may be absent.
     pub(crate) pressure_sinkage: bool,
+    /// Whether it may turn out to have one: it may be absent, and is assumed where that is allowed.
+    pub(crate) perhaps_pressure_sinkage: bool,
     /// Whether the shear law has one.
     pub(crate) shear: bool,
     /// Whether cohesion and friction have one of their own.
@@ -69,8 +71,14 @@ pub(crate) struct Needs<'a> {
 
 impl Needs<'static> {
     /// All that the letter's model takes of a soil.
-    pub(crate) const ALL: Self =
-        Self { pressure_sinkage: true, shear: true, strength: true, granular_stiffness: false, fitted: &|_| None };
+    pub(crate) const ALL: Self = Self {
+        pressure_sinkage: true,
+        perhaps_pressure_sinkage: false,
+        shear: true,
+        strength: true,
+        granular_stiffness: false,
+        fitted: &|_| None,
+    };
 
     /// What the resistive force method takes of it.
     pub(crate) const GRAINS: Self =
@@ -80,6 +88,7 @@ impl Needs<'static> {
     pub(crate) fn and(self, other: Self) -> Self {
         Self {
             pressure_sinkage: self.pressure_sinkage || other.pressure_sinkage,
+            perhaps_pressure_sinkage: self.perhaps_pressure_sinkage || other.perhaps_pressure_sinkage,
             shear: self.shear || other.shear,
             strength: self.strength || other.strength,
             granular_stiffness: self.granular_stiffness || other.granular_stiffness,
@@ -206,6 +215,10 @@ fn pressure_sinkage(
         Some(_) => of_fitted().map(|law| (Some(law), LawOrigin::Replaced)),
         None => match of_fitted() {
             Some(law) => Some((Some(law), LawOrigin::Request)),
+            None if needs.perhaps_pressure_sinkage => {
+                let assumed = assumed_law(object, preset);
+                Some((assumed, if assumed.is_some() { LawOrigin::Catalogue } else { LawOrigin::Absent }))
+            }
             None if !needs.pressure_sinkage => Some((None, LawOrigin::Absent)),
             None => {
                 let assumed = assumed_law(object, preset);

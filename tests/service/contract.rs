@@ -286,7 +286,8 @@ fn surroundings(path: &str, field: &Bounded, value: f64) -> Value {
     // An interface is no stronger than its soil.
     if field.pointer == "/contact/interface/friction_angle_rad" {
         let friction = value.clamp(0.0, std::f64::consts::FRAC_PI_2.next_down());
-        body = with(&body, json!({"soil": {"friction_angle_rad": friction}}));
+        // Without friction it is the adhesion that turns a towed wheel.
+        body = with(&body, json!({"soil": {"friction_angle_rad": friction, "cohesion_pa": 200}}));
     }
     if field.pointer == "/contact/interface/adhesion_pa" {
         body = with(&body, json!({"soil": {"cohesion_pa": value.clamp(0.0, 1e8)}}));

@@ -3,6 +3,7 @@
 use terramechanics::{Braking, Coupled, Motion, Soil, SoilParams, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Reader};
 
+use crate::request::assume::ASSUME;
 use crate::request::circles::CIRCLES;
 use crate::request::laws::field;
 use crate::request::method::NORMAL_STRESS_RADIUS;
@@ -39,7 +40,7 @@ impl Request for CoupledCase {
         name: "CoupledRequest",
         doc: "A wheel whose slip (`slip`, or both velocities), sinkage and load are measured, and maybe its torque. The soil's pressure–sinkage law cancels: it has no influence and may be left out. With the torque, no soil is needed at all, and what is sent of one has no influence on the numbers.",
         groups: &[
-            &[&WHEEL, &OPTIONAL_SOIL, &CONTACT],
+            &[&WHEEL, &OPTIONAL_SOIL, &CONTACT, &ASSUME],
             CIRCLES,
             MOTION,
             &[&SINKAGE, &NORMAL_LOAD, &TORQUE, &NORMAL_STRESS_RADIUS],

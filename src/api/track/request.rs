@@ -1,6 +1,6 @@
 //! The request of `/v1/track`.
 
-use terramechanics::{KnownSinkage, Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
+use terramechanics::{KnownSinkage, Method, Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
 use terramechanics_identification::RunningStrength;
 use terramechanics_reading::{
     Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected,
@@ -104,7 +104,9 @@ fn settings(object: &Reader<'_>, extra_columns: Option<ExtraColumns>) -> Option<
     // Every sample brings a sinkage of its own; this one only says of what kind most of them are.
     let kind = if object.has(&NORMAL_LOAD) { Sinkage::CarryingLoad(1.0) } else { Sinkage::Given(1.0) };
     // Which columns there are, and so whether the law is needed, may not be known yet: see the plan.
-    let system = system::read(object, Needs { pressure_sinkage: false, ..Needs::ALL });
+    let needs = method::needs(object);
+    let needs = Needs { pressure_sinkage: false, perhaps_pressure_sinkage: needs.pressure_sinkage, ..needs };
+    let system = system::read(object, needs);
     let found = operation::read_with(object, system, |_, _| Some(kind), method::read);
     if let (Some(method), Some(soil)) = (&found.method, &found.soil)
         && !operation::has_its_law(object, method, soil)
@@ -171,8 +173,9 @@ pub(crate) fn checked_settings(query: &Node<'_>) -> Result<Accepted<TrackSetting
 }
 
 impl TrackSettings {
+    /// Whether the soil has the pressure–sinkage law, if the method has one.
     fn has_law(&self) -> bool {
-        self.operation.system.soil.pressure_sinkage().is_some()
+        self.operation.model.method == Method::ResistiveForce || self.operation.system.soil.pressure_sinkage().is_some()
     }
 
     /// How samples with the columns of `layout` are understood.

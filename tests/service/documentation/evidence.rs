@@ -147,6 +147,7 @@ fn what_was_fitted_on_one_part_is_scored_on_the_other() {
         ("smooth", whole("smooth"), "lugs", whole("lug10")),
         ("lugs", whole("lug10"), "smooth", whole("smooth")),
     ];
+    let mut helped = 0;
     let rows: Vec<Vec<String>> = cases
         .iter()
         .map(|(fitted_on, fitted, scored_on, scored)| {
@@ -154,10 +155,13 @@ fn what_was_fitted_on_one_part_is_scored_on_the_other() {
             let modulus = scored.error(&fitted.fitted(&["shear_modulus_m"]));
             let both = fitted.fitted(&["friction_angle_rad", "shear_modulus_m"]);
             let (unseen, own) = (scored.error(&both), fitted.error(&both));
-            assert!(unseen < nothing && own < unseen, "{scored_on}: {nothing}, {unseen}, {own}");
+            assert!(own < unseen, "{scored_on}: {unseen}, {own}");
+            helped += usize::from(unseen < nothing);
             let errors = [nothing, modulus, unseen, own].map(|error| format!("{error:.3}"));
             [*fitted_on, *scored_on].map(str::to_owned).into_iter().chain(errors).collect()
         })
         .collect();
     assert_table("## Held out", &rows);
+    let said = format!("Fitting φ and K helps on unseen points in {helped} of the {} rows.", rows.len());
+    assert!(TEXT.contains(&said), "{said}");
 }
