@@ -88,7 +88,10 @@ function fieldsOf(family, laws) {
   return own.map(({ note, laws: having }) => lawField(family, note, having));
 }
 
-export const FAMILIES = model().laws;
+/** The families that the page has a place for. */
+const SHOWN = [PRESSURE_SINKAGE, SHEAR, CONTACT, SLIP_SINKAGE];
+
+export const FAMILIES = model().laws.filter(({ pointer }) => SHOWN.includes(pointer));
 
 /** @type {LawField[]} */
 export const LAW_FIELDS = FAMILIES.flatMap(({ pointer, laws }) => fieldsOf(pointer, laws));
