@@ -47,14 +47,17 @@ check("the radius slider changes every curve", async (page) => {
   assert.deepEqual((await assertShown(page)).wheel, { preset: "letter", radius_m: 0.3 });
 });
 
-check("the lug height slider changes every curve over slip, and leaves the stresses along the rim", async (page) => {
+check("the lug height slider changes every curve over slip and the shear stress, and leaves the normal stress", async (page) => {
   await open(page);
   const { sweep } = await changesBy(page, "lug_height", "12.5");
   assert.ok(sweep, "the curves over slip stay");
   const { method, ...body } = await assertShown(page);
   assert.deepEqual(body.wheel, { preset: "letter", lug_height_m: 0.0125 });
-  const { columns } = await ask("/v1/stress-profile", { ...body, wheel: { preset: "letter" }, points: 201 });
+  const { columns } = await ask("/v1/stress-profile", { ...body, points: 201 });
   await assertProfile(page, columns);
+  const bare = await ask("/v1/stress-profile", { ...body, wheel: { preset: "letter" }, points: 201 });
+  assert.deepEqual(columns.normal_stress_pa, bare.columns.normal_stress_pa);
+  assert.notDeepEqual(columns.shear_stress_pa, bare.columns.shear_stress_pa);
   await page.click('[data-reset="lug_height"]');
   await ready(page);
   assert.deepEqual((await assertShown(page)).wheel, { preset: "letter" });

@@ -240,6 +240,9 @@ function fitFinding({ code, quantity: name = "", value, end, figures = [], names
 function fitText(warning, law) {
   const { code, quantity: name = "", value, names = [] } = warning;
   if (code === "implausible_estimate" && PARAMETERS[name] && value !== undefined) return implausibleText(warning, law);
+  if (code === "may_be_the_interface" && names.length) {
+    return `the wheel has no lugs, so that ${namesOf(names)} may belong to the interface of rim and soil. The soil by itself is stronger and shears over a longer way. Use the values for wheels like this one.`;
+  }
   if (code === "not_identifiable" && names.length) {
     return `the data do not determine ${namesOf(names)}. Hold ${names.length > 1 ? "one of them" : "it"} fixed or measure under other conditions; the table says why.`;
   }
