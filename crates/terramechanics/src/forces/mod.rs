@@ -13,6 +13,7 @@
 mod closed;
 mod explicit;
 mod method;
+mod panel;
 mod panels;
 mod quadrature;
 pub(crate) mod resistive;
@@ -101,6 +102,21 @@ impl ForceModel {
             (_, None) => quadrature::forces(self, stresses),
         };
         if forces.is_finite() { Ok(forces) } else { Err(Error::NotFinite) }
+    }
+
+    /// Whether the method knows how its forces change as a wheel with one zone sinks.
+    pub(crate) fn has_slopes(&self) -> bool {
+        matches!(self.method, Method::Quadrature)
+    }
+
+    /// The forces of a contact of one zone and their changes against its entry angle (per rad), for a search of the sinkage: by few
+    /// nodes for a `coarse` look. None where that does not serve.
+    pub(crate) fn forces_and_changes(&self, patch: &ContactPatch<'_>, coarse: bool) -> Option<(Forces, Forces)> {
+        let stresses = &patch.stresses().ok()?;
+        match self.method {
+            Method::Quadrature => quadrature::forces_and_changes(self, stresses, coarse),
+            Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } | Method::ResistiveForce => None,
+        }
     }
 
     /// Whether the method takes the contact, and its constants are numbers.

@@ -17,15 +17,18 @@
 //! enough – a shear modulus thousands of times smaller than the wheel, an exponent near 0 – the worst panel is halved,
 //! at most [`PANELS`](super::panels::PANELS) times; the error estimate says what was reached.
 
-use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
+use super::panel::{Integrals, Sums};
+use super::panels::{Edges, Resolved, TOLERANCE, integrate};
 use super::{Components, ForceModel, Forces};
 use crate::contact::Angles;
-use crate::numerics::gauss_legendre::{NODES, Node};
+use crate::numerics::gauss_legendre::{COARSE, FINE, LaneNodes};
+use crate::numerics::lanes::Number;
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
-use crate::rim::RimPoint;
+use crate::rim::{EntryArc, RimPoint};
 use crate::stress::StressField;
 use crate::zones::Zones;
+use fearless_simd::{Level, dispatch};
 
 /// Layers of [`ContactPatch::shear_layer`] after which E is saturated: e to the minus this of a small share is left.
 const LAYERS: f64 = 20.0;
@@ -43,32 +46,66 @@ pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>) -> Forces {
         None => integrals::<_, { OneZone::FEW }>(&rim, &OneZone(patch)),
         Some(zones) => integrals_of_two_zones(&rim, &zones),
     };
-    forces_of(model, patch, &integrals)
+    forces_of(model, patch, &integrals.integrals, integrals.relative_error())
+}
+
+/// Halvings of the first panels after which a search by slopes is given up.
+const HALVINGS: u32 = 2;
+
+/// The forces of a contact of one zone and their changes against its entry angle (per rad), for a search of the sinkage: by few nodes
+/// for a `coarse` look. None where a look that is not coarse needs more panels than such a search is worth.
+pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>, coarse: bool) -> Option<(Forces, Forces)> {
+    let patch = stresses.patch;
+    let (rim, shearing) = (Rim::of(stresses), OneZone(patch));
+    let rates = &patch.rolling.system.contact.rates(&patch.angles);
+    let of = |nodes: &[LaneNodes], range: [f64; 2]| dispatch!(Level::new(), simd => rim.sums_and_changes::<_, _, true>(simd, nodes, &shearing, range, rates));
+    if coarse {
+        let (sums, changes) = of(&COARSE, [0.0, 1.0]);
+        return Some((forces_of(model, patch, &sums.integrals, sums.relative_error()), forces_of(model, patch, &changes, 0.0)));
+    }
+    let edges = shearing.edges(&rim);
+    for halvings in 0..=HALVINGS {
+        let (mut sums, mut changes) = (Sums::default(), Integrals::default());
+        for range in edges.ranges(1 << halvings) {
+            let (more, further) = of(&FINE, range);
+            sums.add(&more);
+            changes.add(&further);
+        }
+        let error = sums.relative_error();
+        if error <= TOLERANCE {
+            return Some((forces_of(model, patch, &sums.integrals, error), forces_of(model, patch, &changes, 0.0)));
+        }
+    }
+    None
 }
 
 /// The forces of a contact whose shear stress follows a law of its own.
 pub(super) fn forces_by<S: Shearing, const FEW: usize>(model: &ForceModel, rim: &Rim<'_>, shearing: &S) -> Forces {
-    forces_of(model, rim.patch, &integrals::<S, FEW>(rim, shearing))
+    let integrals = integrals::<S, FEW>(rim, shearing);
+    forces_of(model, rim.patch, &integrals.integrals, integrals.relative_error())
 }
 
 #[inline]
-fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Sums) -> Forces {
+fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Integrals, error: f64) -> Forces {
     let wheel = &patch.rolling.system.wheel;
     let normal = model.normal_stress_radius(wheel) * wheel.width();
     let shear = wheel.shearing_radius() * wheel.width();
-    let Sums { normal_cos, normal_sin, shear_cos, shear_sin, shear_plain, .. } = *integrals;
+    let Integrals { normal_cos, normal_sin, shear_cos, shear_sin, shear_plain } = *integrals;
     let components = Components {
         traction: shear * shear_cos,
         resistance: normal * normal_sin,
         normal_support: normal * normal_cos,
         shear_support: shear * shear_sin,
     };
-    Forces::new(components, wheel.shearing_radius() * shear * shear_plain, integrals.relative_error())
+    Forces::new(components, wheel.shearing_radius() * shear * shear_plain, error)
 }
 
 /// The integrals, from at most `FEW` panels to begin with.
 fn integrals<S: Shearing, const FEW: usize>(rim: &Rim<'_>, shearing: &S) -> Sums {
-    integrate::<_, FEW>(&shearing.edges(rim), |from, to| rim.panel(shearing, from, to))
+    integrate::<_, FEW>(
+        &shearing.edges(rim),
+        |from, to| dispatch!(Level::new(), simd => rim.sums(simd, &FINE, shearing, [from, to])),
+    )
 }
 
 /// The integrals of a contact of two zones. Apart, so that other contacts do not carry its code along.
@@ -78,71 +115,23 @@ fn integrals_of_two_zones(rim: &Rim<'_>, zones: &Zones) -> Sums {
     integrals::<_, { TwoZones::FEW }>(rim, &TwoZones(rim.patch, zones))
 }
 
-/// Sums over a panel, or over all of them.
-#[derive(Clone, Copy, Default)]
-struct Sums {
-    /// ∫ σ cos θ dθ.
-    normal_cos: f64,
-    /// ∫ σ sin θ dθ.
-    normal_sin: f64,
-    /// ∫ τ cos θ dθ.
-    shear_cos: f64,
-    /// ∫ τ sin θ dθ.
-    shear_sin: f64,
-    /// ∫ τ dθ.
-    shear_plain: f64,
-    /// ∫ |τ| dθ, the scale of the shear's error.
-    shear_size: f64,
-    /// Null sums of σ and of τ.
-    normal_null: [f64; 2],
-    shear_null: [f64; 2],
-    /// Error estimates, comparable with normal_cos and with shear_size.
-    normal_error: f64,
-    shear_error: f64,
-}
-
-impl Sums {
-    fn estimate_errors(&mut self) {
-        self.normal_error = error_of(self.normal_null, self.normal_cos);
-        self.shear_error = error_of(self.shear_null, self.shear_size);
-    }
-}
-
-impl Resolved for Sums {
-    #[inline]
-    fn add(&mut self, other: &Self) {
-        self.normal_cos += other.normal_cos;
-        self.normal_sin += other.normal_sin;
-        self.shear_cos += other.shear_cos;
-        self.shear_sin += other.shear_sin;
-        self.shear_plain += other.shear_plain;
-        self.shear_size += other.shear_size;
-        self.normal_error += other.normal_error;
-        self.shear_error += other.shear_error;
-    }
-
-    #[inline]
-    fn relative_error(&self) -> f64 {
-        let share = |error: f64, size: f64| if size > 0.0 { error / size } else { 0.0 };
-        ROUNDING + share(self.normal_error, self.normal_cos).max(share(self.shear_error, self.shear_size))
-    }
-
-    fn error_share(&self, total: &Self) -> f64 {
-        (self.normal_error / total.normal_cos).max(self.shear_error / total.shear_size.max(f64::MIN_POSITIVE))
-    }
-}
-
 /// How the soil is sheared on the two sides of the peak. A type of its own for each law, so that neither pays for the other.
 pub(super) trait Shearing {
     /// E at a place ahead of the peak, and at one behind it.
-    fn ahead(&self, point: &RimPoint) -> f64;
-    fn behind(&self, point: &RimPoint) -> f64;
+    fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F;
+    fn behind<F: Number>(&self, point: &RimPoint<F>) -> F;
+
+    /// dE/dθ1 (1/rad) at a place where E is `share` and which moves at `turn` = dθ/dθ1; NaN where a law does not know it.
+    #[inline(always)]
+    fn rate<F: Number>(&self, _point: &RimPoint<F>, share: F, _turn: F) -> F {
+        share.like(f64::NAN)
+    }
 
     /// Ends of the panels: the ends of thin layers of shear, and the places where E is not smooth.
     fn edges(&self, rim: &Rim<'_>) -> Edges;
 }
 
-struct OneZone<'a>(&'a ContactPatch<'a>);
+pub(super) struct OneZone<'a>(pub(super) &'a ContactPatch<'a>);
 
 impl OneZone<'_> {
     /// Panels to begin with at the most: parted by a layer of shear and two reversals.
@@ -151,13 +140,18 @@ impl OneZone<'_> {
 
 impl Shearing for OneZone<'_> {
     #[inline(always)]
-    fn ahead(&self, point: &RimPoint) -> f64 {
+    fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F {
         self.0.mobilisation_of_one_zone(point)
     }
 
     #[inline(always)]
-    fn behind(&self, point: &RimPoint) -> f64 {
+    fn behind<F: Number>(&self, point: &RimPoint<F>) -> F {
         self.0.mobilisation_of_one_zone(point)
+    }
+
+    #[inline(always)]
+    fn rate<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
+        self.0.mobilisation_rate(point, share, turn)
     }
 
     #[inline(always)]
@@ -177,12 +171,14 @@ impl TwoZones<'_> {
 }
 
 impl Shearing for TwoZones<'_> {
-    fn ahead(&self, point: &RimPoint) -> f64 {
-        self.1.mobilisation_ahead(self.0.rolling, point)
+    #[inline(always)]
+    fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F {
+        point.by_lane(|point| self.1.mobilisation_ahead(self.0.rolling, point))
     }
 
-    fn behind(&self, point: &RimPoint) -> f64 {
-        self.1.mobilisation_behind(self.0.rolling, point)
+    #[inline(always)]
+    fn behind<F: Number>(&self, point: &RimPoint<F>) -> F {
+        point.by_lane(|point| self.1.mobilisation_behind(self.0.rolling, point))
     }
 
     fn edges(&self, rim: &Rim<'_>) -> Edges {
@@ -204,13 +200,14 @@ pub(super) struct Rim<'a> {
     pub(super) front: f64,
     pub(super) rear: f64,
     pub(super) whole: f64,
+    pub(super) entry: EntryArc,
 }
 
 impl<'a> Rim<'a> {
     pub(super) fn of(stresses: &StressField<'a>) -> Self {
         let StressField { patch, curve } = *stresses;
         let Angles { entry, peak, exit } = patch.angles;
-        Self { patch, curve, front: entry - peak, rear: peak - exit, whole: entry - exit }
+        Self { patch, curve, front: entry - peak, rear: peak - exit, whole: entry - exit, entry: EntryArc::of(entry) }
     }
 
     /// An end behind a layer of that arc (rad) at the entry, if it is thin.
@@ -231,39 +228,5 @@ impl<'a> Rim<'a> {
         for &arc in self.patch.shear_reversals().arcs() {
             self.split(edges, arc);
         }
-    }
-
-    fn panel<S: Shearing>(&self, shearing: &S, from: f64, to: f64) -> Sums {
-        let Self { patch, curve, front: front_arc, rear: rear_arc, whole } = *self;
-        let length = to - from;
-        let mut sums = Sums::default();
-        for Node { place, weight, null } in &NODES {
-            let u = from + length * place;
-            let cube = u * u * u;
-            let t = cube * u;
-            let weight = length * weight * 4.0 * cube; // du → dt
-            let front = patch.rim_point(t * front_arc);
-            let rear = patch.rim_point(whole - t * rear_arc);
-            let normal = curve.pressure(patch.geometric_depth(&front)); // Eqs. (1), (3), (4): the same on both sides
-            let strength = patch.rolling.shear_strength(normal);
-            let (front_weight, rear_weight) = (weight * front_arc, weight * rear_arc);
-            let front_shear = front_weight * shearing.ahead(&front) * strength; // Eq. (5)
-            let rear_shear = rear_weight * shearing.behind(&rear) * strength;
-            let both_shear = front_shear + rear_shear;
-            let both_normal = (front_weight + rear_weight) * normal;
-            sums.normal_cos += normal * (front_weight * front.cos + rear_weight * rear.cos);
-            sums.normal_sin += normal * (front_weight * front.sin + rear_weight * rear.sin);
-            sums.shear_cos += front_shear * front.cos + rear_shear * rear.cos;
-            sums.shear_sin += front_shear * front.sin + rear_shear * rear.sin;
-            sums.shear_plain += both_shear;
-            sums.shear_size += front_shear.abs() + rear_shear.abs();
-            let [high, higher] = *null;
-            sums.normal_null[0] += both_normal * high;
-            sums.normal_null[1] += both_normal * higher;
-            sums.shear_null[0] += both_shear * high;
-            sums.shear_null[1] += both_shear * higher;
-        }
-        sums.estimate_errors();
-        sums
     }
 }
