@@ -98,7 +98,7 @@ mod tests {
     use super::*;
     use crate::circles::{Circles, SlipRadius};
     use crate::contact::{Contact, ContactParams, PeakRule, WongReece};
-    use crate::forces::Method;
+    use crate::forces::{Lambda, Method, PeakDepth};
     use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
     use crate::rolling::WheelOnSoil;
     use crate::shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
@@ -106,7 +106,9 @@ mod tests {
     use crate::soil::{Soil, SoilParams};
     use crate::wheel::{Wheel, WheelParams};
 
-    const METHODS: [Method; 1] = [Method::Quadrature];
+    const EXACT: Method =
+        Method::Explicit { peak_depth: PeakDepth::Geometric, lambda_a: Lambda::Exact, lambda_b: Lambda::Exact };
+    const METHODS: [Method; 4] = [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT, EXACT];
 
     /// Wheels with and without lugs, soils by every shear law, contacts by every rule for the peak.
     fn systems() -> Vec<WheelOnSoil> {

@@ -106,7 +106,7 @@ impl ForceModel {
 
     /// Whether the method knows how its forces change as a wheel with one zone sinks.
     pub(crate) fn has_slopes(&self) -> bool {
-        matches!(self.method, Method::Quadrature)
+        matches!(self.method, Method::Quadrature) || self.method.is_closed_form()
     }
 
     /// The forces of a contact of one zone and their changes against its entry angle (per rad), for a search of the sinkage: by few
@@ -115,7 +115,8 @@ impl ForceModel {
         let stresses = &patch.stresses().ok()?;
         match self.method {
             Method::Quadrature => quadrature::forces_and_changes(self, stresses, coarse),
-            Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } | Method::ResistiveForce => None,
+            Method::Linearised { .. } | Method::Explicit { .. } => self.closed_forces_and_changes(stresses),
+            Method::SideSlipping(_) | Method::ResistiveForce => None,
         }
     }
 
