@@ -106,8 +106,7 @@ mod tests {
     use crate::soil::{Soil, SoilParams};
     use crate::wheel::{Wheel, WheelParams};
 
-    const EXACT: Method =
-        Method::Explicit { peak_depth: PeakDepth::Geometric, lambda_a: Lambda::Exact, lambda_b: Lambda::Exact };
+    const EXACT: Method = Method::Explicit { peak_depth: PeakDepth::Geometric, lambda_a: Lambda::Exact, lambda_b: Lambda::Exact };
     const METHODS: [Method; 4] = [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT, EXACT];
 
     /// Wheels with and without lugs, soils by every shear law, contacts by every rule for the peak.

@@ -46,7 +46,12 @@ pub(super) fn approximate_shape(patch: &ContactPatch<'_>, lambda_a: Lambda, lamb
 }
 
 /// dA/dθ1, dB/dθ1 and dH/dθ1 (1/rad) of that shape as the wheel sinks: A grows as √z, B as z.
-pub(super) fn shape_changes(patch: &ContactPatch<'_>, shape: &ShapeIntegrals, lambdas: [Lambda; 2], rates: &AngleRates) -> ShapeIntegrals {
+pub(super) fn shape_changes(
+    patch: &ContactPatch<'_>,
+    shape: &ShapeIntegrals,
+    lambdas: [Lambda; 2],
+    rates: &AngleRates,
+) -> ShapeIntegrals {
     let deepening = 1.0 / patch.entry_rate(); // d ln z/dθ1
     let exact = || ShapeIntegrals::changes(&patch.angles, rates);
     ShapeIntegrals {

@@ -18,6 +18,7 @@ mod panels;
 mod quadrature;
 pub(crate) mod resistive;
 mod shape;
+mod shearing;
 mod side;
 
 pub(crate) use closed::ClosedForm;

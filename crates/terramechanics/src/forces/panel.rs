@@ -1,7 +1,7 @@
 //! The sums of the stresses over one panel of the rim, eight nodes side by side, and how they change as the wheel sinks.
 
 use super::panels::{ROUNDING, Resolved, error_of};
-use super::quadrature::{Rim, Shearing};
+use super::shearing::{Rim, Shearing};
 use crate::contact::AngleRates;
 use crate::numerics::gauss_legendre::LaneNodes;
 use crate::numerics::lanes::{LANES, Number, sum};
@@ -186,7 +186,7 @@ impl Rim<'_> {
 mod tests {
     use crate::contact::{AngleRates, Contact};
     use crate::forces::quadrature::OneZone;
-    use crate::forces::quadrature::Rim;
+    use crate::forces::shearing::Rim;
     use crate::numerics::gauss_legendre::FINE;
     use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
     use crate::rolling::WheelOnSoil;

@@ -10,7 +10,8 @@
 //! With independent stresses the forces in the plane of the wheel equal those without a slip angle, to the last bit.
 
 use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
-use super::quadrature::{self, Rim, Shearing};
+use super::quadrature;
+use super::shearing::{Rim, Shearing};
 use super::{ForceModel, Forces};
 use crate::lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SideWall};
 use crate::numerics::gauss_legendre::{NODES, Node};
