@@ -18,7 +18,7 @@ pub(crate) fn stiff(points: usize) -> Value {
             "cohesion_pa": 6.57, "friction_angle_rad": 0.0607, "shear_modulus_m": 4.93e-6,
             "pressure_sinkage": {"law": "direct", "k_s": 71_622, "n0": 0.01325}
         },
-        "slip": {"from": 0.3, "to": 0.9, "points": points}, "normal_load_n": 57_038
+        "slip": {"from": -0.9, "to": -0.3, "points": points}, "normal_load_n": 20_000
     })
 }
 

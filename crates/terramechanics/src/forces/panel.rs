@@ -83,6 +83,30 @@ fn in_lanes<L: Simd>(simd: L, values: &[f64; LANES]) -> f64x8<L> {
     f64x8::simd_from(simd, *values)
 }
 
+/// Nodes on both sides of the peak, mirrored to one another, and what is found there.
+#[derive(Clone, Copy)]
+struct Spot<L: Simd> {
+    t: f64x8<L>,
+    /// dt.
+    weight: f64x8<L>,
+    front: RimPoint<f64x8<L>>,
+    rear: RimPoint<f64x8<L>>,
+    /// σ (Pa).
+    normal: f64x8<L>,
+    /// E (–).
+    front_share: f64x8<L>,
+    rear_share: f64x8<L>,
+}
+
+impl<L: Simd> Spot<L> {
+    #[inline(always)]
+    fn zero(simd: L) -> Self {
+        let zero = f64x8::splat(simd, 0.0);
+        let place = RimPoint { half_arc: zero, lag: zero, rise: zero, sin: zero, cos: zero };
+        Self { t: zero, weight: zero, front: place, rear: place, normal: zero, front_share: zero, rear_share: zero }
+    }
+}
+
 /// A side of the peak: its arc (rad), and how that changes against the entry angle.
 struct Side {
     arc: f64,
@@ -112,16 +136,22 @@ impl<L: Simd> Changes<L> {
 impl Rim<'_> {
     /// The sums over a range of u.
     #[inline(always)]
-    pub(super) fn sums<L: Simd, S: Shearing>(&self, simd: L, nodes: &[LaneNodes], shearing: &S, [from, to]: [f64; 2]) -> Sums {
-        self.sums_and_changes::<L, S, false>(simd, nodes, shearing, [from, to], &AngleRates::FIXED).0
+    pub(super) fn sums<L: Simd, S: Shearing, const N: usize>(
+        &self,
+        simd: L,
+        nodes: &[LaneNodes; N],
+        shearing: &S,
+        [from, to]: [f64; 2],
+    ) -> Sums {
+        self.sums_and_changes::<L, S, N, false>(simd, nodes, shearing, [from, to], &AngleRates::FIXED).0
     }
 
     /// The same, and if `CHANGING` the changes of the integrals against the entry angle, by how the angles and the shear law change.
     #[inline(always)]
-    pub(super) fn sums_and_changes<L: Simd, S: Shearing, const CHANGING: bool>(
+    pub(super) fn sums_and_changes<L: Simd, S: Shearing, const N: usize, const CHANGING: bool>(
         &self,
         simd: L,
-        nodes: &[LaneNodes],
+        nodes: &[LaneNodes; N],
         shearing: &S,
         [from, to]: [f64; 2],
         rates: &AngleRates,
@@ -135,18 +165,27 @@ impl Rim<'_> {
         let [mut normal_cos, mut normal_sin, mut shear_cos, mut shear_sin, mut shear_plain, mut shear_size] = [zero; 6];
         let [mut normal_null, mut shear_null] = [[zero; 2]; 2];
         let mut changes = Changes([zero; 5]);
-        for LaneNodes { place, weight, null } in nodes {
-            let u = in_lanes(simd, place) * length + from;
+        // Step by step over all nodes: the steps of one vector wait for one another, those of several do not.
+        let mut spots = [Spot::zero(simd); N];
+        for (spot, nodes) in spots.iter_mut().zip(nodes) {
+            let u = in_lanes(simd, &nodes.place) * length + from;
             let cube = u * u * u;
-            let t = cube * u;
-            let weight = in_lanes(simd, weight) * cube * (4.0 * length); // du → dt
-            let front = patch.rim_point(t * front_side.arc);
-            let rear = patch.entry.place_at(&self.entry, t * rear_side.arc + patch.angles.exit);
+            spot.t = cube * u;
+            spot.weight = in_lanes(simd, &nodes.weight) * cube * (4.0 * length); // du → dt
+            spot.front = patch.rim_point(spot.t * front_side.arc);
+            spot.rear = patch.entry.place_at(&self.entry, spot.t * rear_side.arc + patch.angles.exit);
+        }
+        for spot in &mut spots {
             // Eqs. (1), (3), (4): the same on both sides.
-            let normal = ((patch.geometric_depth(&front) * per_sinkage).ln() * curve.exponent).exp() * deepest;
+            spot.normal = ((patch.geometric_depth(&spot.front) * per_sinkage).ln() * curve.exponent).exp() * deepest;
+        }
+        for spot in &mut spots {
+            (spot.front_share, spot.rear_share) = (shearing.ahead(&spot.front), shearing.behind(&spot.rear)); // Eq. (6)
+        }
+        for (spot, LaneNodes { null, .. }) in spots.iter().zip(nodes) {
+            let Spot { t, weight, front, rear, normal, front_share, rear_share } = *spot;
             let strength = patch.rolling.shear_strength(normal);
             let (front_weight, rear_weight) = (weight * front_side.arc, weight * rear_side.arc);
-            let (front_share, rear_share) = (shearing.ahead(&front), shearing.behind(&rear)); // Eq. (6)
             let (front_stress, rear_stress) = (front_share * strength, rear_share * strength); // Eq. (5)
             let (front_shear, rear_shear) = (front_weight * front_stress, rear_weight * rear_stress);
             let both_shear = front_shear + rear_shear;
@@ -233,7 +272,7 @@ mod tests {
             let of = |level: Level| {
                 let rates = &AngleRates { peak: 0.5, exit: 0.0 };
                 let (sums, changes) = dispatch!(level, simd => {
-                    rim.sums_and_changes::<_, _, true>(simd, &FINE, &OneZone(&patch), [0.0, 1.0], rates)
+                    rim.sums_and_changes::<_, _, _, true>(simd, &FINE, &OneZone(&patch), [0.0, 1.0], rates)
                 });
                 let all = [sums.integrals, changes]
                     .map(|of| [of.normal_cos, of.normal_sin, of.shear_cos, of.shear_sin, of.shear_plain]);

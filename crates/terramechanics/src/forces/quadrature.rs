@@ -21,7 +21,7 @@ use super::panel::{Integrals, Sums};
 use super::panels::{Edges, Resolved, TOLERANCE, integrate};
 use super::shearing::{LAYERS, Rim, Shearing};
 use super::{Components, ForceModel, Forces};
-use crate::numerics::gauss_legendre::{COARSE, FINE, LaneNodes};
+use crate::numerics::gauss_legendre::{COARSE, FINE};
 use crate::numerics::lanes::Number;
 use crate::patch::ContactPatch;
 use crate::rim::RimPoint;
@@ -51,16 +51,18 @@ pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>,
     let patch = stresses.patch;
     let (rim, shearing) = (Rim::of(stresses), OneZone(patch));
     let rates = &patch.rolling.system.contact.rates(&patch.angles);
-    let of = |nodes: &[LaneNodes], range: [f64; 2]| dispatch!(Level::new(), simd => rim.sums_and_changes::<_, _, true>(simd, nodes, &shearing, range, rates));
+    let level = Level::new();
     if coarse {
-        let (sums, changes) = of(&COARSE, [0.0, 1.0]);
+        let (sums, changes) =
+            dispatch!(level, simd => rim.sums_and_changes::<_, _, _, true>(simd, &COARSE, &shearing, [0.0, 1.0], rates));
         return Some((forces_of(model, patch, &sums.integrals, sums.relative_error()), forces_of(model, patch, &changes, 0.0)));
     }
     let edges = shearing.edges(&rim);
     for halvings in 0..=HALVINGS {
         let (mut sums, mut changes) = (Sums::default(), Integrals::default());
         for range in edges.ranges(1 << halvings) {
-            let (more, further) = of(&FINE, range);
+            let (more, further) =
+                dispatch!(level, simd => rim.sums_and_changes::<_, _, _, true>(simd, &FINE, &shearing, range, rates));
             sums.add(&more);
             changes.add(&further);
         }
