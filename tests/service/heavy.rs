@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 use crate::asking::letter;
 use crate::running::{PATIENCE, Server, message};
 
-/// A contact so stiff that one load balance, which fails, takes some milliseconds: nearly every pressure is reached at once, and shear
-/// within micrometres. A random search over requests found it.
+/// A contact so stiff that one load balance of the braking wheel takes half a millisecond: nearly every pressure is reached at once,
+/// and shear within micrometres. A random search over requests found it.
 pub(crate) fn stiff(points: usize) -> Value {
     json!({
         "wheel": {"radius_m": 0.0707, "width_m": 0.0133, "lug_height_m": 0.00274, "lug_coefficient": 0.958},
