@@ -21,6 +21,7 @@ use crate::api::resistances::{self, ResistancesCase};
 use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::towed::{self, TowedCase};
+use crate::api::vehicle::{self, VehicleCase};
 use crate::api::{catalogue, health, limits, model, track, validation};
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
@@ -38,6 +39,7 @@ fn operations() -> Operations {
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))
         .room::<TowedCase>(routes!(towed::towed))
+        .room::<VehicleCase>(routes!(vehicle::vehicle))
         .room::<IdentifyCase>(routes!(identify::identify))
         .room::<PlatesCase>(routes!(plates::plates))
         .room::<ShearTestsCase>(routes!(shear::shear))

@@ -13,6 +13,11 @@ const TABLES = {
     errors: ["drawbar_rmse_over_load", "sinkage_rmse_m", "torque_rmse_n_m"],
     series: ["quadrature", "linearised", "explicit"],
   },
+  "#validation-grains": {
+    of: ({ results }) => results.some(({ method }) => method === "resistive_force"),
+    errors: ["drawbar_rmse_over_load", "sinkage_rmse_m", "torque_rmse_n_m"],
+    series: ["quadrature", "resistive_force"],
+  },
   "#validation-braking": {
     of: ({ id }) => ["cmu-grousered-braking", "cmu-smooth-braking"].includes(id),
     errors: ["drawbar_rmse_over_load", "sinkage_rmse_m"],

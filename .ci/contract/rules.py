@@ -14,12 +14,21 @@ from itertools import product
 
 import schemathesis
 
-# Alternatives of which a request that has them all takes exactly one, whole.
-SINKAGE = (["sinkage_m"], ["static_sinkage_m"], ["normal_load_n"])
+# Alternatives of which a request that has them all takes exactly one, whole. The load may also stand beside a sinkage.
+SINKAGE = (
+    ["sinkage_m"],
+    ["static_sinkage_m"],
+    ["normal_load_n"],
+    ["sinkage_m", "normal_load_n"],
+    ["static_sinkage_m", "normal_load_n"],
+)
 SLIP = (["slip"], ["forward_velocity_m_s", "angular_velocity_rad_s"])
 
+# The same of one operating point, whose slip may be solved from its pull.
+SOLVED_SLIP = (*SLIP, ["longitudinal_force_n"], ["drawbar_coefficient"])
+
 # The same of a run over samples.
-TRACKED_SINKAGE = (["static_sinkage_m"], ["normal_load_n"])
+TRACKED_SINKAGE = (["static_sinkage_m"], ["normal_load_n"], ["static_sinkage_m", "normal_load_n"])
 
 # Fields that have a meaning only beside another.
 BESIDE = {"slip_sinkage": "static_sinkage_m"}
@@ -32,6 +41,9 @@ BEYOND_THE_SCHEMA = ["extra_columns"]
 
 # Fields that no variant has.
 LEFT_OUT = [*BESIDE, *BESIDE_COLUMNS, *BEYOND_THE_SCHEMA, "variants", "bounds", "start", "standard_deviation", "estimator"]
+
+# The method that takes no law of the soil.
+GRAINS = "resistive_force"
 
 # Fields of a wheel that moves at an angle to its plane.
 SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
@@ -46,7 +58,8 @@ NOT_PUBLISHED = "is required: the catalogue has no published value"
 def before_load_schema(context, raw_schema):
     schemas = raw_schema["components"]["schemas"]
     for name, schema in schemas.items():
-        groups = [group for group in (SINKAGE, SLIP) if has(schema, sum(group, []))]
+        slip = SOLVED_SLIP if has(schema, sum(SOLVED_SLIP, [])) else SLIP
+        groups = [group for group in (SINKAGE, slip) if has(schema, sum(group, []))]
         if name == "TrackColumns":
             schema = samples(schema)
         if name == "CompareRequest":
@@ -56,10 +69,17 @@ def before_load_schema(context, raw_schema):
         if name == "TrackRequest":
             groups = [TRACKED_SINKAGE]
             schema = requiring(schema, [], without=[*BESIDE_COLUMNS, *BEYOND_THE_SCHEMA])
+        if name == "VehicleRequest":
+            schemas[name] = one_of(rovers(schema))
         if groups:
             variants = (chosen(schema, groups, choice) for choice in product(*groups))
-            zoned = (variant for choice in variants for variant in by_zones(choice))
+            laid_apart = (variant for choice in variants for variant in by_soil(choice))
+            zoned = (variant for choice in laid_apart for variant in by_zones(choice))
             schemas[name] = one_of(variant for of in zoned for variant in straight_or_sideways(of))
+        if name == "TowedRequest":
+            schemas[name] = one_of(by_soil(schema))
+    # Rovers on so many slopes that they are refused by their price are tests of the service.
+    schemas["SlopeRange"]["properties"]["points"]["maximum"] = 9
     wheel, soil, shear = schemas["Wheel"], schemas["Soil"], schemas["Shear"]
     schemas["Wheel"] = one_of(
         [requiring(wheel, ["preset"]), requiring(wheel, ["radius_m", "width_m"], without=["preset"])]
@@ -71,7 +91,13 @@ def before_load_schema(context, raw_schema):
         law for law in shear["oneOf"] if law["$ref"] != "#/components/schemas/JanosiHanamotoShear"
     )
     schemas["Soil"] = one_of([requiring(soil, ["preset"]), with_modulus, without_modulus])
+    dense = requiring(soil, ["friction_angle_rad", "bulk_density_kg_m3"], without=["preset"])
+    dense["properties"]["friction_angle_rad"]["minimum"] = 1e-6  # without friction the stiffness has to be given
+    stiff = requiring(soil, ["granular_stiffness_n_m3"], without=["preset", "bulk_density_kg_m3"])
+    schemas["Grains"] = one_of(lawless(of) for of in (dense, stiff))
     measurements(schemas)
+    exits(schemas)
+    schemas["CoupledRequest"] = coupled(schemas["CoupledRequest"])
 
     # What the schema here no longer has would keep the example from being sent.
     compared = raw_schema["paths"]["/v1/compare"]["post"]["requestBody"]["content"]["application/json"]
@@ -105,6 +131,16 @@ def null_is_absent(schema):
             fields[name] = {"anyOf": [fields[name], {"type": "null"}]}
 
 
+def rovers(schema):
+    """Rovers with wheels that are alike, with stations, and with stations in ruts, each on the soil of all."""
+    alike = requiring(schema, ["wheels", "soil"], without=["stations", "centre_of_mass", "rut", "unloading"])
+    apart = requiring(schema, ["stations", "soil"], without=["wheels", "rut", "unloading"])
+    in_ruts = requiring(schema, ["stations", "soil", "rut"], without=["wheels"])
+    in_ruts["properties"]["rut"]["enum"] = [True]
+    in_ruts["properties"]["method"]["enum"] = ["quadrature"]
+    return [alike, apart, in_ruts]
+
+
 def measurements(schemas):
     """Columns of one length, and fits that only ask for what every soil has beside those that ask for anything."""
     for name in ("FitData", "PlateColumns", "ShearColumns"):
@@ -124,6 +160,21 @@ def measurements(schemas):
     schemas["IdentifyRequest"] = plain
 
 
+def exits(schemas):
+    """Contacts that end by c3, and those that end by the ratio of the sinkages."""
+    for name in [reference["$ref"].rpartition("/")[2] for reference in schemas["Contact"]["oneOf"]]:
+        contact = schemas[name]
+        schemas[name] = one_of([requiring(contact, [], without=["exit"]), requiring(contact, ["exit"], without=["c3"])])
+
+
+def coupled(schema):
+    """With a measured torque no soil is needed, without one it is. What says how to slip was chosen before."""
+    of_each = [
+        [requiring(way, ["soil"], without=["torque_n_m"]), requiring(way, ["torque_n_m"])] for way in schema["oneOf"]
+    ]
+    return one_of(way for ways in of_each for way in ways)
+
+
 def samples(columns):
     """Columns of one length, with the time, and without a load beside the one that all samples have."""
     columns = requiring(columns, ["time_s"], without=["normal_load_n"])
@@ -140,16 +191,54 @@ def one_way(parameters):
     given = ["wheel.preset", "soil.preset", "sinkage_m", "slip", "slip.from", "slip.to", "slip.points"]
     if "sinkage_m" not in {of["name"] for of in parameters}:
         given.append("normal_load_n")
-    others = [name for group in (SINKAGE, SLIP) for way in group for name in way if name not in given]
+    others = [name for group in (SINKAGE, SOLVED_SLIP) for way in group for name in way if name not in given]
     others += ["braking", *SIDEWAYS]
     tagged = ("contact.", "slip_sinkage.", "soil.pressure_sinkage.", "soil.shear.")
     kept = [of for of in parameters if of["name"] not in others and not of["name"].startswith(tagged)]
+    for of in kept:
+        if of["name"] == "method":  # few presets have a density
+            of["schema"]["enum"] = [method for method in of["schema"]["enum"] if method != GRAINS]
     return [{**of, "required": of["name"] in given} for of in kept]
+
+
+def by_soil(schema):
+    """The schema with the method of dry grains on a soil for it, and with the other methods on any other soil."""
+    field = "methods" if has(schema, ["methods"]) else "method"
+    if not has(schema, [field]):
+        return [schema]
+    grains, others = requiring(schema, [field]), requiring(schema, [])
+    words = (lambda of: of["properties"]["methods"]["items"]) if field == "methods" else (lambda of: of["properties"]["method"])
+    words(others)["enum"] = [method for method in words(others)["enum"] if method != GRAINS]
+    words(grains)["enum"] = [GRAINS]
+    grains["properties"]["soil"] = {"$ref": "#/components/schemas/Grains"}
+    if field == "methods":
+        others["properties"]["methods"]["maxItems"] -= 1
+    for name in ("lambda_a", "lambda_b"):
+        if has(grains, [name]):
+            grains["properties"][name] = {"type": "null"}
+    if has(grains, ["braking"]):
+        grains["properties"]["braking"]["enum"] = ["one_zone"]
+        grains["properties"]["braking"].pop("default", None)
+    if has(grains, SIDEWAYS):
+        grains = requiring(grains, [], without=SIDEWAYS)
+    return [grains, others]
+
+
+def lawless(soil):
+    """The soil with no law, which the method of dry grains does not miss; tests of the service have both."""
+    for name in ("pressure_sinkage", "shear", "shear_modulus_m"):
+        soil["properties"][name] = {"type": "null"}
+    return soil
+
+
+def is_of_grains(schema):
+    words = schema["properties"].get("method") or schema["properties"].get("methods", {}).get("items", {})
+    return words.get("enum") == [GRAINS]
 
 
 def by_zones(schema):
     """The schema with one zone and any method, and with two zones and the quadrature."""
-    if not has(schema, ["braking"]):
+    if not has(schema, ["braking"]) or is_of_grains(schema):
         return [schema]
     one, two = requiring(schema, []), requiring(schema, ["braking"])
     one["properties"]["braking"]["enum"] = ["one_zone"]
@@ -180,7 +269,7 @@ def chosen(schema, groups, choice):
 
 def straight_or_sideways(schema):
     """The schema with a closed form, which has no lateral force, and with the quadrature, which has one unless of two zones."""
-    if not has(schema, SIDEWAYS):
+    if not has(schema, SIDEWAYS) or is_of_grains(schema):
         return [schema]
     if schema["properties"]["braking"]["enum"] == ["two_zone"]:
         return [requiring(schema, [], without=SIDEWAYS)]

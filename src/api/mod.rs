@@ -21,3 +21,4 @@ pub(crate) mod stress_profile;
 pub(crate) mod towed;
 pub(crate) mod track;
 pub(crate) mod validation;
+pub(crate) mod vehicle;

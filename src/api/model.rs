@@ -31,6 +31,8 @@ pub(crate) struct Model {
     symbols: Vec<Symbol>,
     /// The equations as they are computed.
     equations: Vec<Equation>,
+    /// Which method to use: the first row whose condition holds.
+    advice: Vec<Advice>,
     /// The methods for the forces, and what each costs in accuracy.
     methods: Vec<MethodNote>,
     /// Where the letter as printed is not what is computed.
@@ -89,6 +91,18 @@ struct Equation {
     /// Numbers of the errata that concern it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     errata: Vec<u8>,
+}
+
+/// What to use where something is known.
+#[derive(Debug, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+struct Advice {
+    /// What is known.
+    when: String,
+    /// The method to take, or the operation.
+    take: String,
+    /// Root mean square error of the pull over the load on public tests, with nothing fitted.
+    pull_error: String,
 }
 
 /// A method for the forces.

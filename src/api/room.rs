@@ -7,8 +7,8 @@ use crate::answer::written;
 use crate::compute::{Cost, Pace};
 use crate::extract::Format;
 use crate::problem::Problem;
-use crate::reply::Reply;
-use crate::request::Request;
+use crate::reply::{Assuming, Reply};
+use crate::request::{Accepted, Request};
 use crate::state::Service;
 
 /// A checked request that has one reply.
@@ -29,8 +29,15 @@ pub(crate) trait Room: Request {
 }
 
 /// The reply to a request in the format asked for, computed where its cost has it.
-pub(super) async fn answer<R: Room>(service: &Service, case: R, format: Format) -> Result<Response, Problem> {
+pub(super) async fn answer<R: Room>(service: &Service, asked: Accepted<R>, format: Format) -> Result<Response, Problem> {
+    let Accepted { case, assumed } = asked;
     let cost = case.cost();
-    let work = move |pace: &Pace| written(&case.reply(pace)?, format);
+    let work = move |pace: &Pace| {
+        let reply = case.reply(pace)?;
+        match assumed {
+            None => written(&reply, format),
+            Some(assumed) => written(&Assuming::of(reply, assumed), format),
+        }
+    };
     service.pool().run(cost, work).await
 }

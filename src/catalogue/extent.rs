@@ -78,6 +78,7 @@ struct Extents {
     friction_angle: Option<Extent>,
     /// The soil's own.
     unit_weight: Option<Extent>,
+    bulk_density: Option<Extent>,
     /// Displacement by which the shear law scales across.
     across: Option<Extent>,
     /// Of each shear law, its parameters in their order: lengths alone have an extent.
@@ -102,6 +103,7 @@ static EXTENTS: LazyLock<Extents> = LazyLock::new(|| {
         cohesion: soil(["cohesion", "Pa"], &Soil::COHESION),
         friction_angle: soil(["friction angle", "rad"], &Soil::FRICTION_ANGLE).map(Extent::exact),
         unit_weight: soil(UNIT_WEIGHT, &Soil::UNIT_WEIGHT),
+        bulk_density: soil(["bulk density", "kg/m3"], &Soil::BULK_DENSITY),
         across: Extent::of(SHEAR_LENGTH, "/soil/lateral_shear_modulus_m", shear_lengths()),
         shear: ShearLaw::LAWS.iter().map(|law| law.parameters.iter().map(|of| of_shear_law(law, of)).collect()).collect(),
         pressure_sinkage: PressureSinkage::LAWS
@@ -169,8 +171,9 @@ pub(crate) fn outside(wheel: &Wheel, soil: &SoilParams) -> impl Iterator<Item = 
     ];
     let across = Extent::left_by(&extents.across, across.unwrap_or(0.0));
     let weight = Extent::left_by(&extents.unit_weight, soil.unit_weight.unwrap_or(0.0));
+    let density = Extent::left_by(&extents.bulk_density, soil.bulk_density.unwrap_or(0.0));
     let along = along.into_iter().flatten();
-    own.into_iter().flatten().chain(along).chain(across).chain(law.into_iter().flatten()).chain(weight)
+    own.into_iter().flatten().chain(along).chain(across).chain(law.into_iter().flatten()).chain(weight).chain(density)
 }
 
 /// Which values of a law are outside; one whose sign is open counts by its size.

@@ -7,6 +7,7 @@ mod extent;
 mod gravity;
 mod record;
 mod size;
+mod substitutes;
 mod table;
 mod view;
 
@@ -14,13 +15,17 @@ pub(crate) use extent::{CATALOGUE, Outside, outside};
 pub(crate) use gravity::{Gravity, gravity};
 pub(crate) use record::{SoilRecord, WheelRecord};
 pub(crate) use size::{is_of_exponent, size};
+pub(crate) use substitutes::Substitute;
 pub(crate) use table::{soils_table, wheels_table};
 pub(crate) use view::{SoilView, WheelView};
 
 use std::sync::LazyLock;
 
 static WHEELS: LazyLock<Vec<WheelRecord>> = LazyLock::new(|| compiled_in(include_str!("../../catalogue/wheels.json")));
-static SOILS: LazyLock<Vec<SoilRecord>> = LazyLock::new(|| compiled_in(include_str!("../../catalogue/soils.json")));
+static SOILS: LazyLock<Vec<SoilRecord>> = LazyLock::new(|| {
+    let records: Vec<SoilRecord> = compiled_in(include_str!("../../catalogue/soils.json"));
+    records.into_iter().map(SoilRecord::with_gravity).collect()
+});
 
 fn compiled_in<T: serde::de::DeserializeOwned>(text: &str) -> Vec<T> {
     serde_json::from_str(text).expect("the catalogue is compiled in and its tests read it")

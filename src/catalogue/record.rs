@@ -76,11 +76,23 @@ pub(crate) struct SoilRecord {
     pub(super) note: Option<String>,
     /// The pressure–sinkage law to which the values belong, if there are any of one.
     pub(crate) law: Option<String>,
+    /// The soil whose law stands in for one of which values were never published.
+    pub(super) law_substitute: Option<LawSubstitute>,
     /// Largest slip of the wheel tests to which n1 was fitted, where it is known.
     pub(crate) largest_fitted_slip: Option<f64>,
     pub(crate) values: Values,
     pub(super) shear: Option<ShearRecord>,
     pub(super) contact: Option<ContactRecord>,
+}
+
+/// A law that stands in for another.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LawSubstitute {
+    /// The soil that has it.
+    pub(super) soil: String,
+    /// Why that soil.
+    pub(super) reason: String,
 }
 
 /// A shear law other than Janosi–Hanamoto's.
@@ -100,8 +112,16 @@ pub(super) struct ContactRecord {
 }
 
 /// What a soil has besides the values of its laws; the modulus of the shear law that none names is among them.
-const SOIL_PARAMETERS: [Parameter; 5] =
-    [Soil::COHESION, Soil::FRICTION_ANGLE, JanosiHanamoto::MODULUS, Soil::LATERAL_SHEAR_MODULUS, Soil::UNIT_WEIGHT];
+const SOIL_PARAMETERS: [Parameter; 8] = [
+    Soil::COHESION,
+    Soil::FRICTION_ANGLE,
+    JanosiHanamoto::MODULUS,
+    Soil::LATERAL_SHEAR_MODULUS,
+    Soil::UNIT_WEIGHT,
+    Soil::BULK_DENSITY,
+    Soil::GRAVITY,
+    Soil::GRANULAR_STIFFNESS,
+];
 pub(super) const SOIL_FIELDS: [&str; SOIL_PARAMETERS.len()] = names(&SOIL_PARAMETERS);
 pub(super) const WHEEL_FIELDS: [&str; WheelParams::PARAMETERS.len()] = names(WheelParams::PARAMETERS);
 
@@ -144,14 +164,31 @@ impl SoilRecord {
         self.values.get(name).map(|value| value.value)
     }
 
-    /// Gravity where the soil lies (m/s²), if it lies beyond the Earth.
+    /// Gravity where the soil lies or was tested (m/s²), if that is known.
     pub(crate) fn gravity(&self) -> Option<f64> {
+        self.number(Soil::GRAVITY.name)
+    }
+
+    /// The record with the gravity of the body where soils of its kind lie or were tested, unless it has its own. A soil of paper or
+    /// of simulations lies nowhere.
+    pub(super) fn with_gravity(mut self) -> Self {
         let body = match self.kind.as_str() {
             "lunar" => "moon",
             "martian" => "mars",
-            _ => return None,
+            "lunar simulant" | "martian simulant" | "test-bed sand" | "terrestrial" | "snow" => "earth",
+            _ => return self,
         };
-        super::gravity().iter().find(|known| known.id == body).map(|known| known.acceleration_m_s2)
+        if let Some(known) = super::gravity().iter().find(|known| known.id == body) {
+            let value = || Value {
+                value: known.acceleration_m_s2,
+                published: format!("{} m/s2", known.acceleration_m_s2),
+                source: Some(known.source.clone()),
+                grade: None,
+                note: Some("That of the body where soils of this kind lie or are tested; their source does not state it.".into()),
+            };
+            self.values.entry(Soil::GRAVITY.name.to_owned()).or_insert_with(value);
+        }
+        self
     }
 
     /// The pressure–sinkage law, if all its parameters are known.

@@ -91,9 +91,17 @@ fn loads_and_unit_weights_are_those_of_a_published_mass_or_density() {
         checked += 1;
     }
     for record in soils() {
+        let density = record.values.get("bulk_density_kg_m3");
+        if let Some(of) = density {
+            let per_litre = number_before(&of.published, " g/cm^3").map(|density| 1e3 * density);
+            let published = number_before(&of.published, " kg/m3").or(per_litre).expect("a density");
+            assert!((of.value / published - 1.0).abs() < PRINTED_DIGITS, "{}: {of:?}", record.id);
+            checked += 1;
+        }
         let Some(weight) = record.values.get("unit_weight_n_m3") else { continue };
-        let Some(density) = number_before(&weight.published, " kg/m3") else { continue };
-        assert!((weight.value / (density * earth) - 1.0).abs() < PRINTED_DIGITS, "{}: {weight:?}", record.id);
+        let Some(published) = number_before(&weight.published, " kg/m3") else { continue };
+        assert_eq!(density.map(|density| density.value), Some(published), "{}", record.id);
+        assert!((weight.value / (published * earth) - 1.0).abs() < PRINTED_DIGITS, "{}: {weight:?}", record.id);
         checked += 1;
     }
     assert!(checked >= 20, "only {checked} were derived");

@@ -7,6 +7,7 @@ use terramechanics::{AngleRatio, Law, PeakRule, PressureSinkage, ShearLaw};
 use utoipa::ToSchema;
 
 use super::record::{Grade, SOIL_FIELDS, SoilRecord, Value, Values, WHEEL_FIELDS, WheelRecord};
+use super::substitutes::Substitute;
 
 /// One value as it is shown, complete with its source.
 #[derive(Debug, Serialize, ToSchema)]
@@ -47,10 +48,10 @@ pub(crate) struct WheelView<'a> {
     nominal_load_n: Option<f64>,
     /// Every value with its source; also some that are no part of a request, such as `lug_count`.
     values: BTreeMap<&'a str, ValueView<'a>>,
-    /// Required fields without a published value: a request has to add them.
+    /// Required fields without a published value: a request has to add them, or to allow with `"assume": true` that those under `assumed` are taken.
     missing: Vec<&'static str>,
-    /// Fields that are not published and are assumed unless a request adds them: with `lug_height_m` the wheel has or may have lugs of unknown height and is computed as smooth, with a warning.
-    assumed: Vec<&'a str>,
+    /// What stands in for values that were never published. A `lug_height_m` among them is taken in every request that sends none, with a warning: the wheel has or may have lugs of unknown height and is computed as smooth.
+    assumed: &'static [Substitute],
 }
 
 /// A soil as it is shown.
@@ -80,8 +81,10 @@ pub(crate) struct SoilView<'a> {
     largest_fitted_slip: Option<f64>,
     /// Every value with its source.
     values: BTreeMap<&'a str, ValueView<'a>>,
-    /// Required fields without a published value: a request has to add them.
+    /// Required fields without a published value: a request has to add them, or to allow with `"assume": true` that those under `assumed` are taken.
     missing: Vec<&'static str>,
+    /// What `"assume": true` takes for the missing fields; a missing `pressure_sinkage` is taken as a whole, field by field.
+    assumed: Vec<&'static Substitute>,
 }
 
 /// Fields of a soil.
@@ -143,7 +146,7 @@ impl WheelRecord {
             nominal_load_n: self.values.get("nominal_load_n").map(|value| value.value),
             values: views(&self.values, &self.source, self.grade),
             missing: self.missing(),
-            assumed: self.assumed.iter().map(String::as_str).collect(),
+            assumed: self.substitutes(),
         }
     }
 }
@@ -151,6 +154,8 @@ impl WheelRecord {
 impl SoilRecord {
     /// The record as it is shown.
     pub(crate) fn view(&self) -> SoilView<'_> {
+        let missing = self.missing();
+        let is_missing = |of: &&Substitute| of.field.split('.').next().is_some_and(|field| missing.contains(&field));
         let mut values = views(&self.values, &self.source, self.grade);
         if let Some(contact) = &self.contact {
             values.extend(views(&contact.values, &self.source, self.grade));
@@ -188,7 +193,8 @@ impl SoilRecord {
             }),
             largest_fitted_slip: self.largest_fitted_slip,
             values,
-            missing: self.missing(),
+            assumed: self.substitutes().iter().filter(is_missing).collect(),
+            missing,
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use terramechanics::{Method, Operation, Sinkage};
+use terramechanics::{Method, Operation, Sinkage, Vehicle};
 
 use super::SLICE;
 
@@ -26,6 +26,9 @@ const ALLOWANCE: f64 = 1e9;
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
 const SOLVED: f64 = 60e6;
 
+/// How many times the cost of a load balance one in a rut has.
+const RUT: f64 = 2.0;
+
 /// What one operating point costs, in nanoseconds.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Point {
@@ -40,21 +43,49 @@ const fn point(work: &'static str, usual: f64, price: f64) -> Point {
     Point { work, usual, price }
 }
 
-/// Each method with a known sinkage, and with one solved for a load.
-const POINTS: [[Point; 2]; 3] = [
-    [point("a closed form", 300.0, 2e3), point("a closed form under a load", 2e3, 30e3)],
-    [point("the quadrature", 4e3, 80e3), point("the quadrature under a load", 20e3, 300e3)],
-    [point("the quadrature at a slip angle", 20e3, 300e3), point("the quadrature at a slip angle under a load", 200e3, 3e6)],
+/// Each method with a known sinkage, with one solved for a load, and with both known: then the quadrature has an integral without
+/// cohesion and, where there is some, one of cohesion alone; at a slip angle a third one.
+const POINTS: [[Point; 3]; 3] = [
+    [
+        point("a closed form", 300.0, 2e3),
+        point("a closed form under a load", 2e3, 30e3),
+        point("a closed form under a known load", 300.0, 2e3),
+    ],
+    [
+        point("the quadrature", 4e3, 80e3),
+        point("the quadrature under a load", 20e3, 300e3),
+        point("the quadrature under a known load", 8e3, 160e3),
+    ],
+    [
+        point("the quadrature at a slip angle", 20e3, 300e3),
+        point("the quadrature at a slip angle under a load", 200e3, 3e6),
+        point("the quadrature at a slip angle under a known load", 60e3, 900e3),
+    ],
 ];
 
 impl Point {
     fn of(operation: &Operation) -> Self {
-        let by_method = match operation.model.method {
-            Method::Linearised { .. } | Method::Explicit { .. } => &POINTS[0],
-            Method::Quadrature | Method::ResistiveForce => &POINTS[1],
-            Method::SideSlipping(_) => &POINTS[2],
-        };
-        by_method[usize::from(matches!(operation.sinkage, Sinkage::CarryingLoad(_)))]
+        let [known, solved, under_load] = Self::by_method(operation.model.method);
+        match operation.sinkage {
+            Sinkage::Given(_) | Sinkage::FromStatic { .. } => known,
+            Sinkage::CarryingLoad(_) => solved,
+            Sinkage::UnderLoad { .. } => under_load,
+        }
+    }
+
+    /// With a known sinkage, with one solved for a load, and with a load known beside the sinkage.
+    fn by_method(method: Method) -> [Self; 3] {
+        match method {
+            Method::Linearised { .. } | Method::Explicit { .. } => POINTS[0],
+            Method::Quadrature | Method::ResistiveForce => POINTS[1],
+            Method::SideSlipping(_) => POINTS[2],
+        }
+    }
+
+    /// Points that are computed for a warning alone: the standstill, from which the normal force of a wheel drifts whose sinkage
+    /// follows from a static one.
+    fn at_standstill(operation: &Operation) -> f64 {
+        if matches!(operation.sinkage, Sinkage::FromStatic { .. }) { 1.0 } else { 0.0 }
     }
 
     /// Every kind.
@@ -101,8 +132,15 @@ impl Cost {
     /// The cost of one operating point.
     pub(crate) fn of_point(operation: &Operation) -> Self {
         let Point { usual, price, .. } = Point::of(operation);
+        let times = 1.0 + Point::at_standstill(operation);
         let is_solved = matches!(operation.sinkage, Sinkage::CarryingLoad(_));
-        Self { usual: usual + Point::ROW, price: if is_solved { SOLVED } else { price } }
+        Self { usual: times * usual + Point::ROW, price: if is_solved { SOLVED } else { times * price } }
+    }
+
+    /// The cost of the slip that gives a pull: it usually takes some thirty operating points, and at most some 1500.
+    pub(crate) fn of_solved_slip(operation: &Operation) -> Self {
+        let Point { usual, .. } = Point::of(operation);
+        Self { usual: 30.0 * usual + Point::ROW, price: ALLOWANCE }
     }
 
     /// The cost of `points` operating points for each of several operations, and of writing their rows.
@@ -111,11 +149,23 @@ impl Cost {
         let (mut usual, mut price) = (0.0, 0.0);
         for operation in operations {
             let point = Point::of(&operation);
-            usual += count * (point.usual + Point::ROW);
-            price += count * (point.price + Point::ROW);
+            let points = count + Point::at_standstill(&operation);
+            usual += points * point.usual + count * Point::ROW;
+            price += points * point.price + count * Point::ROW;
         }
         let allowance = if price > NEXT_TO_NOTHING { ALLOWANCE } else { 0.0 };
         Self { usual, price: price + allowance }
+    }
+
+    /// The cost of a rover on so many slopes: each takes some fifteen slips, and the largest slope some hundred and fifty, with a load
+    /// balance for every station at each.
+    pub(crate) fn of_vehicle(vehicle: &Vehicle, slopes: usize) -> Self {
+        let params = vehicle.params();
+        let [_, loaded, _] = Point::by_method(params.model.method);
+        let in_rut = if params.unloading.is_some() { RUT } else { 1.0 };
+        let slips = 15.0 * slopes as f64 + 150.0;
+        let usual = slips * params.stations.len() as f64 * in_rut * loaded.usual + slopes as f64 * Point::ROW;
+        Self { usual, price: ALLOWANCE + 3.0 * usual }
     }
 
     /// The cost of one evaluation of closed forms.
@@ -171,7 +221,10 @@ impl Cost {
         let places = points as f64 * 500.0;
         match operation.sinkage {
             Sinkage::CarryingLoad(_) => Self { usual: Point::of(operation).usual + places, price: SOLVED + 4.0 * places },
-            _ => Self { usual: places, price: 4.0 * places },
+            Sinkage::Given(_) | Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } => {
+                let Self { usual, price } = Self::of_point(operation);
+                Self { usual: usual + places, price: price + 4.0 * places }
+            }
         }
     }
 

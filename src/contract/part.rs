@@ -20,7 +20,7 @@ const NAMES: &[(&str, &str)] = &[(TAGS[0].0, TAGS[0].0), (TAGS[1].0, TAGS[1].0),
 const ASKED: Field<Words<&'static str>> = Field::new(
     "tags",
     "Only the operations of these tags, separated by commas, and the components that they use.",
-    Words { word: Word::new(NAMES), most: NAMES.len(), all_unless_given: false },
+    Words { word: Word::new(NAMES), most: NAMES.len(), first_unless_given: 0 },
 );
 
 /// The tags whose operations are wanted, or all.

@@ -10,11 +10,11 @@ use super::media::is_json;
 use crate::body;
 use crate::compute::Cost;
 use crate::problem::Problem;
-use crate::request::{self, checked};
+use crate::request::{self, Accepted, accepted};
 use crate::state::Service;
 
 /// A request body that was read and checked.
-pub(crate) struct Input<R>(pub(crate) R);
+pub(crate) struct Input<R>(pub(crate) Accepted<R>);
 
 impl<R: request::Request> FromRequest<Service> for Input<R> {
     type Rejection = Problem;
@@ -30,7 +30,7 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
 }
 
 /// Reads and checks a body.
-fn query<R: request::Request>(body: &[u8]) -> Result<R, Problem> {
+fn query<R: request::Request>(body: &[u8]) -> Result<Accepted<R>, Problem> {
     let node = json(body).map_err(|unread| match unread {
         Unread::NotJson(error) => {
             let (line, column) = (error.line(), error.column());
@@ -38,5 +38,5 @@ fn query<R: request::Request>(body: &[u8]) -> Result<R, Problem> {
         }
         Unread::TooMuch => Problem::Invalid(vec![FieldFault::new("", unread)]),
     })?;
-    checked(&node).map_err(Problem::Invalid)
+    accepted(&node).map_err(Problem::Invalid)
 }

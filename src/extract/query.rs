@@ -9,12 +9,12 @@ use utoipa::openapi::path::{Parameter, ParameterIn};
 
 use super::Format;
 use crate::problem::Problem;
-use crate::request::{self, checked};
+use crate::request::{self, Accepted, accepted, checked};
 use crate::words::HINTS;
 
 /// A request that stands in the query of a GET, read and checked, and the format asked for.
 pub(crate) struct Asked<R> {
-    pub(crate) query: R,
+    pub(crate) query: Accepted<R>,
     pub(crate) format: Format,
 }
 
@@ -24,7 +24,7 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
     async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
         let mut query = parsed(&parts.uri)?;
         let (format, mut faults) = asked_format(&mut query);
-        match checked(&query.into_node()) {
+        match accepted(&query.into_node()) {
             Ok(query) if faults.is_empty() => Ok(Self { query, format: format.unwrap_or_else(|| Format::of(&parts.headers)) }),
             Ok(_) => Err(Problem::Invalid(faults)),
             Err(more) => {

@@ -1,6 +1,6 @@
 //! Quantities of an operating point: how `/v1/forces` and every sweep have them.
 
-use terramechanics::{Forces, Motion, OperatingPoint, SideForce, Slip, SlipRadius, Wheel};
+use terramechanics::{Forces, Motion, OperatingPoint, SideForce, Slip, SlipRadius, Wheel, WheelOnSoil};
 
 /// Where a quantity stands in the object of `/v1/forces`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,6 +61,8 @@ impl OfPoint {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Point<'a> {
     pub(crate) wheel: &'a Wheel,
+    /// The circle on which the slip is counted.
+    pub(crate) slip_radius: SlipRadius,
     pub(crate) motion: Motion,
     pub(crate) point: &'a OperatingPoint,
     /// The forces in the heading of the wheel.
@@ -68,14 +70,15 @@ pub(crate) struct Point<'a> {
 }
 
 impl<'a> Point<'a> {
-    pub(crate) fn of(wheel: &'a Wheel, motion: Motion, point: &'a OperatingPoint) -> Self {
-        Self { wheel, motion, point, forces: point.forces.heading(motion.heading) }
+    pub(crate) fn of(system: &'a WheelOnSoil, motion: Motion, point: &'a OperatingPoint) -> Self {
+        let (wheel, slip_radius) = (&system.wheel, system.contact.circles().slip);
+        Self { wheel, slip_radius, motion, point, forces: point.forces.heading(motion.heading) }
     }
 
     /// None at rest, where it is 0/0.
     pub(super) fn tractive_efficiency(&self) -> Option<f64> {
         let Motion { slip, heading, at_rest } = self.motion;
-        if at_rest { None } else { self.forces.tractive_efficiency(self.wheel, SlipRadius::Rim, slip, heading) }
+        if at_rest { None } else { self.forces.tractive_efficiency(self.wheel, self.slip_radius, slip, heading) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The quantities of operating points as columns.
 
-use terramechanics::{Motion, SlipSweep, Wheel};
+use terramechanics::{Motion, SlipSweep, WheelOnSoil};
 
 use super::columns::{Columns, Shape, Values};
 use super::point::{OfPoint, Point, PointValue};
@@ -38,12 +38,12 @@ impl Shape for OfPoints {
 }
 
 impl PointColumns {
-    /// The columns of a sweep of `wheel`, which moves forward; with those across it where a slip angle was sent.
-    pub(crate) fn of(sweep: &SlipSweep, wheel: &Wheel, is_sideways: bool) -> Self {
+    /// The columns of a sweep of a wheel that moves forward; with those across it where a slip angle was sent.
+    pub(crate) fn of(sweep: &SlipSweep, system: &WheelOnSoil, is_sideways: bool) -> Self {
         let wanted: Vec<_> = columns().filter(|(_, value)| is_sideways || !value.is_sideways()).collect();
         let mut lists: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(sweep.rows.len())).collect();
         for row in &sweep.rows {
-            let point = row.point.as_ref().ok().map(|point| Point::of(wheel, Motion::forward(row.slip), point));
+            let point = row.point.as_ref().ok().map(|point| Point::of(system, Motion::forward(row.slip), point));
             for (list, (_, value)) in lists.iter_mut().zip(&wanted) {
                 list.push(point.as_ref().map_or_else(|| value.without(row.slip), |point| value.at(point)));
             }

@@ -48,10 +48,27 @@ pub(crate) static TABLE: &[Quantity] = &[
         .of_point(Across, Sideways(|side| side.overturning_moment)),
     Quantity::new("aligning_moment_n_m", "M_z", "N.m", "aligning moment of the lateral stresses about the vertical axis")
         .of_point(Across, Sideways(|side| side.aligning_moment)),
-    Quantity::new("sinkage_modulus", "K_s", PRESSURE_PER_POWER, "sinkage modulus")
-        .of_point(Soil, Found(|at| at.point.sinkage_modulus().unwrap_or(f64::NAN))),
-    Quantity::new("sinkage_exponent", "N", "1", "sinkage exponent at this slip")
-        .of_point(Soil, Found(|at| at.point.sinkage_exponent().unwrap_or(f64::NAN))),
+    Quantity::new(
+        "sinkage_modulus",
+        "K_s",
+        PRESSURE_PER_POWER,
+        "sinkage modulus: the soil's, or the one that a known load shows; null where it cancels and the soil has no exponent, and by the method resistive_force",
+    )
+    .of_point(Soil, OrNone(|at| at.point.sinkage_modulus())),
+    Quantity::new(
+        "sinkage_exponent",
+        "N",
+        "1",
+        "sinkage exponent at this slip; null where the soil has none, and by the method resistive_force",
+    )
+    .of_point(Soil, OrNone(|at| at.point.sinkage_exponent())),
+    Quantity::new(
+        "granular_stiffness_n_m3",
+        "ξ",
+        "N/m3",
+        "granular stiffness: the soil's, or the one that a known load shows; null but by the method resistive_force",
+    )
+    .of_point(Soil, OrNone(|at| at.point.granular_stiffness)),
     Quantity::new("shearing_radius_m", "r_s", "m", "shearing radius").of_point(Soil, Found(|at| at.wheel.shearing_radius())),
     Quantity::new("power_w", "T ω", "W", "mechanical power; null where only the slip is known")
         .of_sample(Number(|row| row.power)),

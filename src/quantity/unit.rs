@@ -6,12 +6,13 @@ use super::number::number;
 pub(super) const PRESSURE_PER_POWER: &str = "Pa/m^N";
 
 /// Suffixes of names on the wire, the longer ones first, with the units that they stand for.
-const SUFFIXES: [(&str, &str); 17] = [
+const SUFFIXES: [(&str, &str); 18] = [
     ("_rad_s", "rad/s"),
     ("_m_s", "m/s"),
     ("_m_s2", "m/s2"),
     ("_n_m3", "N/m3"),
     ("_n_m", "N.m"),
+    ("_j_m", "J/m"),
     ("_pa2", "Pa2"),
     ("_pa", "Pa"),
     ("_rad", "rad"),

@@ -1,9 +1,11 @@
 //! Answers as they stand on the wire: what several operations share.
 
+mod assuming;
 mod estimate;
 mod method;
 pub(crate) mod soil;
 
+pub(crate) use assuming::{AssumedReply, Assuming};
 pub(crate) use estimate::EstimateReply;
 pub(crate) use method::method_name;
 
@@ -22,6 +24,9 @@ pub(crate) trait Reply: Serialize {
 
     /// What else there is to say.
     fn warnings(&self) -> &[Warning];
+
+    /// Adds a warning.
+    fn warn(&mut self, warning: Warning);
 }
 
 /// The fields of an answer of single numbers as columns of one row, each under its own name.

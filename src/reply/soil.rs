@@ -2,7 +2,8 @@
 
 use serde::{Serialize, Serializer};
 use terramechanics::{
-    Bekker, ContactParams, Declared, JanosiHanamoto, Parameter, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams,
+    Bekker, ContactParams, Declared, ExitRule, JanosiHanamoto, Parameter, PressureSinkage, ShearLaw, SinkageExponent, Soil,
+    SoilParams,
 };
 
 /// An object of a request: its fields by name, in order.
@@ -53,6 +54,9 @@ pub(crate) fn soil(soil: &SoilParams) -> Spelled {
         ("shear", shear),
         (Soil::LATERAL_SHEAR_MODULUS.name, soil.lateral_shear_modulus.map(Member::Number)),
         (Soil::UNIT_WEIGHT.name, soil.unit_weight.map(Member::Number)),
+        (Soil::BULK_DENSITY.name, soil.bulk_density.map(Member::Number)),
+        (Soil::GRAVITY.name, soil.gravity.map(Member::Number)),
+        (Soil::GRANULAR_STIFFNESS.name, soil.granular_stiffness.map(Member::Number)),
     ];
     Spelled(members.into_iter().filter_map(|(name, member)| Some((name, member?))).collect())
 }
@@ -70,5 +74,20 @@ pub(crate) fn bekker(k_c: f64, k_phi: f64, n0: f64) -> Option<Spelled> {
 
 /// A contact.
 pub(crate) fn contact(contact: &ContactParams) -> Spelled {
-    tagged("rule", contact.rule.law().name, contact.rule.parameters().chain(contact.exit.parameters()))
+    let numbers = |values: Vec<(&'static Parameter, f64)>| {
+        Member::Object(Spelled(values.into_iter().map(|(parameter, value)| (parameter.name, Member::Number(value))).collect()))
+    };
+    let mut spelled = match contact.exit {
+        ExitRule::AngleRatio(_) => {
+            tagged("rule", contact.rule.law().name, contact.rule.parameters().chain(contact.exit.parameters()))
+        }
+        ExitRule::SinkageRatio(_) => {
+            let mut rule = tagged("rule", contact.rule.law().name, contact.rule.parameters());
+            rule.0.push(("exit", numbers(contact.exit.parameters().collect())));
+            rule
+        }
+    };
+    let interface = contact.interface.map(|interface| numbers(interface.parameters().collect()));
+    spelled.0.extend(interface.map(|interface| ("interface", interface)));
+    spelled
 }

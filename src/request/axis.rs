@@ -5,8 +5,9 @@ use terramechanics_reading::{Alternative, Either, Field, Number, Numbers, Object
 
 use super::motion::RATIO;
 
-const FEWEST: usize = 2;
-const MOST: usize = 10_001;
+/// Points of a range.
+pub(crate) const FEWEST: usize = 2;
+pub(crate) const MOST: usize = 10_001;
 
 const FROM: Field<Number> = Field::required("from", "First slip (–).", RATIO);
 const TO: Field<Number> = Field::required("to", "Last slip (–).", RATIO);
@@ -52,10 +53,15 @@ pub(crate) fn read(object: &Reader<'_>, field: &Field<OneOf>) -> Option<Vec<Slip
 fn spaced(range: &Reader<'_>) -> Option<Vec<Slip>> {
     let (from, to, points) = (range.required(&FROM), range.required(&TO), range.required(&POINTS));
     let (from, to, points) = (from?, to?, points?);
-    (0..points as u32).map(|i| Slip::new(equally_spaced(from, to, f64::from(i) / (points - 1.0))).ok()).collect()
+    spread(from, to, points).map(|slip| Slip::new(slip).ok()).collect()
 }
 
-/// The number at `share` of the way between two slips. Where a number of 14 decimals is as near as rounding can tell, it is
+/// So many equally spaced numbers, both ends included.
+pub(crate) fn spread(from: f64, to: f64, points: f64) -> impl Iterator<Item = f64> {
+    (0..points as u32).map(move |i| equally_spaced(from, to, f64::from(i) / (points - 1.0)))
+}
+
+/// The number at `share` of the way between two others. Where a number of 14 decimals is as near as rounding can tell, it is
 /// that one: a tenth of a range is then the number that people write, and rolling is 0 and not the dust of a rounding.
 fn equally_spaced(from: f64, to: f64, share: f64) -> f64 {
     const DECIMALS: f64 = 1e14;

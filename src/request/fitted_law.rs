@@ -53,7 +53,7 @@ pub(crate) fn home_of(unknown: Unknown, setup: &Setup) -> String {
         Home::Shear => has_it("shear law", having(ShearLaw::LAWS, unknown)),
         Home::Rule => has_it("contact rule", having(PeakRule::LAWS, unknown)),
         Home::Method => "; the method `explicit` with a number for it has it".to_owned(),
-        Home::Soil | Home::Sinkage => String::new(),
+        Home::Soil | Home::Interface | Home::Sinkage => String::new(),
     }
 }
 

@@ -3,10 +3,7 @@
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-use terramechanics::{
-    AngleRatio, ContactParams, Declared, ExitRule, JanosiHanamoto, Law, Parameter, PeakRule, PressureSinkage, ShearLaw,
-    SlipSinkage,
-};
+use terramechanics::{Declared, JanosiHanamoto, Law, Parameter, PressureSinkage, ShearLaw, SlipSinkage};
 use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
 
 /// What may be sent for a parameter of the model, if something is.
@@ -50,7 +47,7 @@ fn declared(parameter: &'static Parameter) -> Field<Number> {
 }
 
 /// The forms of a family, whose laws have these parameters in a request.
-fn variants<F>(laws: &'static [Law<F>], parameters: impl Fn(&Law<F>) -> Vec<&'static Parameter>) -> Vec<Variant> {
+pub(super) fn variants<F>(laws: &'static [Law<F>], parameters: impl Fn(&Law<F>) -> Vec<&'static Parameter>) -> Vec<Variant> {
     let variant = |law: &'static Law<F>| Variant {
         name: law.name,
         doc: kept(format!("{} {}.", law.doc, law.formula)),
@@ -60,7 +57,7 @@ fn variants<F>(laws: &'static [Law<F>], parameters: impl Fn(&Law<F>) -> Vec<&'st
 }
 
 /// The law that a request chose.
-fn chosen<F>(laws: &'static [Law<F>], index: usize, values: &[Option<f64>]) -> Option<F> {
+pub(super) fn chosen<F>(laws: &'static [Law<F>], index: usize, values: &[Option<f64>]) -> Option<F> {
     laws.get(index)?.from_values(values).ok()
 }
 
@@ -76,6 +73,7 @@ pub(crate) const PRESSURE_SINKAGE: Tagged = Tagged {
             LazyLock::new(|| variants(PressureSinkage::LAWS, |law| law.parameters.iter().collect()));
         &VARIANTS
     },
+    also: &[],
 };
 
 pub(crate) fn pressure_sinkage(Chosen { index, values }: &Chosen) -> Option<PressureSinkage> {
@@ -95,6 +93,7 @@ pub(crate) const SHEAR: Tagged = Tagged {
         });
         &VARIANTS
     },
+    also: &[],
 };
 
 /// Whether the parameter of the law is a field of the soil.
@@ -122,30 +121,11 @@ pub(crate) const SLIP_SINKAGE: Tagged = Tagged {
             LazyLock::new(|| variants(SlipSinkage::LAWS, |law| law.parameters.iter().collect()));
         &VARIANTS
     },
+    also: &[],
 };
 
 pub(crate) fn slip_sinkage(Chosen { index, values }: &Chosen) -> Option<SlipSinkage> {
     chosen(SlipSinkage::LAWS, *index, values)
-}
-
-/// The contact of a request: a rule for its peak, and what every contact has.
-pub(crate) const CONTACT: Tagged = Tagged {
-    name: "Contact",
-    doc: "Where the stresses are largest and where the contact ends: θm by the rule, θ2 = c3 θ1.",
-    tag: "rule",
-    meaning: "midpoint: θm = (θ1 + θ2)/2; wong_reece: θm = (c1 + c2 s) θ1; half_sinkage: θm = arccos(1 − z/(2r)).",
-    suffix: "Contact",
-    variants: || {
-        static VARIANTS: LazyLock<Vec<Variant>> =
-            LazyLock::new(|| variants(PeakRule::LAWS, |rule| rule.parameters.iter().chain([&AngleRatio::C3]).collect()));
-        &VARIANTS
-    },
-};
-
-pub(crate) fn contact(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
-    let (c3, values) = values.split_last()?;
-    let exit = ExitRule::AngleRatio(AngleRatio { c3: (*c3)? });
-    Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit, ..ContactParams::MIDPOINT })
 }
 
 #[cfg(test)]
@@ -164,6 +144,5 @@ mod tests {
         all(&PRESSURE_SINKAGE, &|chosen| Some(pressure_sinkage(chosen)?.law().name));
         all(&SHEAR, &|chosen| Some(shear(chosen)?.map_or(JanosiHanamoto::NAME, |law| law.law().name)));
         all(&SLIP_SINKAGE, &|chosen| Some(slip_sinkage(chosen)?.law().name));
-        all(&CONTACT, &|chosen| Some(contact(chosen)?.rule.law().name));
     }
 }

@@ -1,6 +1,6 @@
 //! The slip of one operating point: given, or by velocities.
 
-use terramechanics::{Motion, Slip, SlipRadius, Velocities, Wheel};
+use terramechanics::{Circles, Motion, Slip, Velocities, Wheel};
 use terramechanics_reading::{Field, Group, Number, Reader};
 
 use super::laws::{field, number};
@@ -20,8 +20,13 @@ const ANGULAR_VELOCITY: Field<Number> =
 
 pub(crate) const MOTION: Group = &[&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY];
 
-/// The motion: from the slip, or from both velocities and the wheel.
-pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Motion> {
+/// Whether something of a motion was sent, right or wrong.
+pub(crate) fn is_given(object: &Reader<'_>) -> bool {
+    [&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY].into_iter().any(|field| object.has(field))
+}
+
+/// The motion: from the slip, or from both velocities and the circle of the wheel on which the slip is counted.
+pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>, circles: Option<Circles>) -> Option<Motion> {
     let slip = object.optional(&SLIP);
     let (forward, angular) = (object.optional(&FORWARD_VELOCITY), object.optional(&ANGULAR_VELOCITY));
     match (object.has(&SLIP), [object.has(&FORWARD_VELOCITY), object.has(&ANGULAR_VELOCITY)]) {
@@ -31,7 +36,7 @@ pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Motion>
         }
         (false, [true, true]) => {
             let velocities = Velocities { forward: forward??, angular: angular?? };
-            Motion::of(wheel?, SlipRadius::Rim, velocities).map_err(|error| object.place_of(&ANGULAR_VELOCITY).fault(error)).ok()
+            Motion::of(wheel?, circles?.slip, velocities).map_err(|error| object.place_of(&ANGULAR_VELOCITY).fault(error)).ok()
         }
         (true, _) => {
             object.place_of(&SLIP).fault("give either `slip` or both velocities, not both");

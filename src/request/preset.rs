@@ -2,7 +2,8 @@
 
 use terramechanics_reading::{Field, Lookup, Number, Reader};
 
-use crate::catalogue::{SoilRecord, WheelRecord};
+use crate::catalogue::{SoilRecord, Substitute, WheelRecord};
+use crate::quantity::with_unit;
 
 /// An entry of the catalogue.
 pub(crate) trait Entry: Sync + 'static {
@@ -11,6 +12,14 @@ pub(crate) trait Entry: Sync + 'static {
 
     /// The published value of that name.
     fn number(&self, name: &str) -> Option<f64>;
+
+    /// What stands in for values that were never published.
+    fn substitutes(&self) -> &'static [Substitute];
+
+    /// What stands in for the value of that name.
+    fn substitute(&self, name: &str) -> Option<&'static Substitute> {
+        self.substitutes().iter().find(|one| one.field == name)
+    }
 }
 
 impl Entry for WheelRecord {
@@ -21,6 +30,10 @@ impl Entry for WheelRecord {
     fn number(&self, name: &str) -> Option<f64> {
         self.number(name)
     }
+
+    fn substitutes(&self) -> &'static [Substitute] {
+        self.substitutes()
+    }
 }
 
 impl Entry for SoilRecord {
@@ -30,6 +43,10 @@ impl Entry for SoilRecord {
 
     fn number(&self, name: &str) -> Option<f64> {
         self.number(name)
+    }
+
+    fn substitutes(&self) -> &'static [Substitute] {
+        self.substitutes()
     }
 }
 
@@ -52,24 +69,38 @@ impl<E: Entry> Preset<E> {
         Some(object.optional(field)?.or_else(|| self.entry.and_then(|entry| entry.number(field.name))))
     }
 
-    /// What was sent, else what is published, else `otherwise`; that there is none of them is reported.
+    /// What was sent, else what is published, else `otherwise`, else what may be assumed; that there is none of them is reported.
     pub(crate) fn value(&self, object: &Reader<'_>, field: &Field<Number>, otherwise: Option<f64>) -> Option<f64> {
-        let value = self.optional(object, field)?.or(otherwise);
+        let value = self.optional(object, field)?.or(otherwise).or_else(|| self.assumed(object, field));
         if value.is_none() {
             self.missing(object, field);
         }
         value
     }
 
-    /// Reports that there is no value, neither in the request nor published.
+    /// What stands in for the value, if that may be assumed, which is then kept for the answer.
+    pub(crate) fn assumed(&self, object: &Reader<'_>, field: &Field<Number>) -> Option<f64> {
+        let place = object.place_of(field);
+        let substitute = self.entry.filter(|_| place.may_assume())?.substitute(field.name)?;
+        place.assume(substitute.value, &substitute.reason);
+        Some(substitute.value)
+    }
+
+    /// Reports that a field has no value, neither in the request nor published.
     pub(crate) fn missing<K>(&self, object: &Reader<'_>, field: &Field<K>) {
         let place = object.place_of(field);
         match self.entry {
             Some(entry) => {
-                place.fault(format_args!("is required: the catalogue has no published value for `{}`", entry.id()));
+                let offer = entry.substitute(field.name).map_or_else(String::new, offer);
+                place.fault(format_args!("is required: the catalogue has no published value for `{}`{offer}", entry.id()));
             }
             None if self.is_sound => place.fault("is required"),
             None => {}
         }
     }
+}
+
+/// Says what would be taken if it might be assumed.
+fn offer(Substitute { value, unit, reason, .. }: &Substitute) -> String {
+    format!("; with \"assume\": true it is {}, {reason}", with_unit(*value, unit))
 }

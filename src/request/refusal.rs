@@ -1,6 +1,6 @@
 //! Refusals of the model as faults of the request.
 
-use terramechanics::{Error, KnownSinkage, Sinkage, SoilLaw, WheelOnSoil};
+use terramechanics::{Error, KnownSinkage, Nearest, Pull, Sinkage, SoilLaw, WheelOnSoil};
 use terramechanics_reading::{FieldFault, Figures};
 
 use super::laws::number;
@@ -15,9 +15,12 @@ pub(crate) fn error_pointer(error: &Error, sinkage: &Sinkage) -> &'static str {
         },
         Error::ModulusNotPositive { .. } => "/soil/pressure_sinkage",
         Error::ExponentNotPositive { .. } => "/soil/pressure_sinkage/n0",
-        Error::PeakOutsideContact { .. } | Error::InterfaceBeyondSoil { .. } => "/contact",
+        Error::PeakOutsideContact { .. } => "/contact",
+        Error::InterfaceBeyondSoil { .. } => "/contact/interface",
         Error::ReversalOutsideContact { .. } | Error::ClosedFormOfTwoZones | Error::SlipAngleOfTwoZones => "/braking",
         Error::LoadNotCoupled { .. } => "/slip",
+        Error::PullOutOfReach { pull: Pull::Force(_), .. } => "/longitudinal_force_n",
+        Error::PullOutOfReach { pull: Pull::Coefficient(_), .. } => "/drawbar_coefficient",
         Error::LoadBeyondCapacity { .. }
         | Error::LoadTooLight { .. }
         | Error::LoadBelowCohesion { .. }
@@ -59,6 +62,12 @@ pub(crate) fn error_fault(error: &Error, sinkage: &Sinkage) -> FieldFault {
             }
             Sinkage::CarryingLoad(_) => fault,
         },
+        Error::PullOutOfReach { pull, reached, nearest, .. } => {
+            let bound = |is_bound: bool| is_bound.then_some(*reached);
+            let (minimum, maximum) = (bound(*nearest == Nearest::Least), bound(*nearest == Nearest::Largest));
+            let unit = Some(pull.parameter().unit.into());
+            fault.with(Figures { value: Some(pull.value()), minimum, maximum, unit, ..Figures::default() })
+        }
         Error::Invalid(refused) => fault.with(number(refused.parameter).figures(refused.value)),
         _ => fault,
     }

@@ -35,9 +35,12 @@ pub(crate) fn read(object: &Reader<'_>, method: Option<Method>) -> Option<Method
             Some(Method::SideSlipping(SideSlip { angle, coupling, bulldozing }))
         }
         _ if angle != 0.0 => {
-            let place = object.place_of(&SLIP_ANGLE);
-            place.fault("is taken by the method `quadrature` only: the closed forms have no lateral force");
-            None
+            let of_others = match method {
+                Method::ResistiveForce => "the stresses of dry grains are known in the plane of the wheel alone",
+                _ => "the closed forms have no lateral force",
+            };
+            object.place_of(&SLIP_ANGLE).fault(format_args!("is taken by the method `quadrature` only: {of_others}"));
+            Some(method)
         }
         method => Some(method),
     }

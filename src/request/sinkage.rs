@@ -1,6 +1,6 @@
-//! The sinkage of a request: as it is, from a static one, or under a load.
+//! The sinkage of a request: as it is, from a static one, or under a load; and a load that is known beside a sinkage.
 
-use terramechanics::{Sinkage, SlipSinkage, Wheel, WheelOnSoil};
+use terramechanics::{KnownSinkage, Sinkage, SlipSinkage, Wheel, WheelOnSoil};
 use terramechanics_reading::{Field, Group, Number, Reader, Tagged, in_millimetres};
 
 use super::laws::{self, field, number};
@@ -14,8 +14,10 @@ pub(crate) const STATIC_SINKAGE: Field<Number> =
     field(&WheelOnSoil::STATIC_SINKAGE, "Static sinkage z0 (m); the sinkage follows from the slip by `slip_sinkage`.");
 pub(crate) const SLIP_SINKAGE: Field<&Tagged> =
     Field::new("slip_sinkage", "Slip–sinkage law beside static_sinkage_m; lyasko unless given.", &laws::SLIP_SINKAGE);
-pub(crate) const NORMAL_LOAD: Field<Number> =
-    field(&WheelOnSoil::NORMAL_LOAD, "Vertical load W (N); the sinkage is solved so that F_z = W.");
+pub(crate) const NORMAL_LOAD: Field<Number> = field(
+    &WheelOnSoil::NORMAL_LOAD,
+    "Vertical load W (N). Alone, the sinkage is solved so that F_z = W; beside sinkage_m or static_sinkage_m, the load takes the place of the soil's sinkage modulus.",
+);
 
 pub(crate) const SINKAGE: Group = &[&SINKAGE_M, &STATIC_SINKAGE, &SLIP_SINKAGE, &NORMAL_LOAD];
 
@@ -35,29 +37,42 @@ pub(crate) fn law_beside_static(object: &Reader<'_>) -> Option<SlipSinkage> {
     law(object)
 }
 
-/// The sinkage, given in exactly one of three ways.
+/// The sinkage: `sinkage_m`, `static_sinkage_m`, one of them under a known load, or the one that carries `normal_load_n`.
 pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>) -> Option<Sinkage> {
     let law = law_beside_static(object);
-    let ways = [&SINKAGE_M, &STATIC_SINKAGE, &NORMAL_LOAD];
-    let values = ways.map(|field| object.optional(field).flatten());
-    let given = ways.iter().filter(|field| object.has(field)).count();
-    if given != 1 {
-        let [sinkage, static_sinkage, load] = ways.map(|field| field.name);
-        if given == 0 {
-            object.place_of(&SINKAGE_M).fault(format_args!("is required, or `{static_sinkage}` or `{load}`"));
+    let [sinkage, static_sinkage, load] = [&SINKAGE_M, &STATIC_SINKAGE, &NORMAL_LOAD].map(|field| object.optional(field));
+    let known = match (object.has(&SINKAGE_M), object.has(&STATIC_SINKAGE)) {
+        (true, true) => {
+            for field in [&SINKAGE_M, &STATIC_SINKAGE] {
+                let (one, other) = (SINKAGE_M.name, STATIC_SINKAGE.name);
+                object.place_of(field).fault(format_args!("only one of `{one}` and `{other}` may be given"));
+            }
+            return None;
         }
-        for field in ways.iter().filter(|field| object.has(field)) {
-            let place = object.place_of(field);
-            place.fault(format_args!("only one of `{sinkage}`, `{static_sinkage}` and `{load}` may be given"));
+        (true, false) => within_wheel(object, sinkage??, wheel).map(KnownSinkage::Given),
+        (false, true) => static_sinkage?.zip(law).map(|(static_sinkage, law)| KnownSinkage::FromStatic { static_sinkage, law }),
+        (false, false) if object.has(&NORMAL_LOAD) => return load?.map(Sinkage::CarryingLoad),
+        (false, false) => {
+            let (other, load) = (STATIC_SINKAGE.name, NORMAL_LOAD.name);
+            object.place_of(&SINKAGE_M).fault(format_args!("is required, or `{other}` or `{load}`"));
+            return None;
         }
-        return None;
+    };
+    Some(of_known(known?, load?))
+}
+
+/// A sinkage that is known, with the load where that is known as well.
+pub(crate) fn of_known(sinkage: KnownSinkage, load: Option<f64>) -> Sinkage {
+    match (load, sinkage) {
+        (Some(load), sinkage) => Sinkage::UnderLoad { sinkage, load },
+        (None, KnownSinkage::Given(sinkage)) => Sinkage::Given(sinkage),
+        (None, KnownSinkage::FromStatic { static_sinkage, law }) => Sinkage::FromStatic { static_sinkage, law },
     }
-    match values {
-        [Some(sinkage), None, None] => within_wheel(object, sinkage, wheel).map(Sinkage::Given),
-        [None, Some(static_sinkage), None] => Some(Sinkage::FromStatic { static_sinkage, law: law? }),
-        [None, None, Some(load)] => Some(Sinkage::CarryingLoad(load)),
-        _ => None,
-    }
+}
+
+/// Whether the load is known beside a sinkage, so that no sinkage modulus is needed.
+pub(crate) fn is_under_load(object: &Reader<'_>) -> bool {
+    object.has(&NORMAL_LOAD) && (object.has(&SINKAGE_M) || object.has(&STATIC_SINKAGE))
 }
 
 /// The sinkage, if it does not exceed the radius of the wheel, where that is known; else the fault is reported.

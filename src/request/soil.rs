@@ -1,11 +1,12 @@
 //! The soil of a request.
 
 use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
-use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Tagged};
+use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Scope, Tagged};
 
 use super::fitted_law;
 use super::laws::{self, own_field};
 use super::preset::Preset;
+use super::weights::{BULK_DENSITY, GRANULAR_STIFFNESS, GRAVITY, UNIT_WEIGHT, Weights};
 use super::{Described, Documented, Shape};
 use crate::catalogue::{self, SoilRecord, is_of_exponent};
 
@@ -20,7 +21,6 @@ const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
 const PRESSURE_SINKAGE: Field<&Tagged> =
     Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
 const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
-const UNIT_WEIGHT: Field<Number> = own_field(&Soil::UNIT_WEIGHT);
 pub(crate) const SHEAR: Field<&Tagged> =
     Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
@@ -30,7 +30,7 @@ pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
 
 pub(crate) const SOIL: Object = Object {
     name: "Soil",
-    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in /v1/coupled and the linear estimator) and what the shear law needs are required; with it, any field beside it overrides the catalogue's.",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in the closed forms under a load that is known beside the sinkage, in /v1/coupled and in the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's.",
     groups: &[&[
         &PRESET,
         &COHESION,
@@ -39,6 +39,9 @@ pub(crate) const SOIL: Object = Object {
         &PRESSURE_SINKAGE,
         &LATERAL_SHEAR_MODULUS,
         &UNIT_WEIGHT,
+        &BULK_DENSITY,
+        &GRAVITY,
+        &GRANULAR_STIFFNESS,
         &SHEAR,
     ]],
 };
@@ -54,15 +57,44 @@ impl Described for Soil {
 pub(crate) struct Needs<'a> {
     /// Whether the pressure–sinkage law has an influence; else it may be absent.
     pub(crate) pressure_sinkage: bool,
+    /// Whether it may turn out to have one: it may be absent, and is assumed where that is allowed.
+    pub(crate) perhaps_pressure_sinkage: bool,
     /// Whether the shear law has one.
     pub(crate) shear: bool,
+    /// Whether cohesion and friction have one of their own.
+    pub(crate) strength: bool,
+    /// Whether the granular stiffness has one; then it has to be given or to follow.
+    pub(crate) granular_stiffness: bool,
     /// The starts of the parameters that are fitted, by name: they may be absent.
     pub(crate) fitted: &'a dyn Fn(&str) -> Option<f64>,
 }
 
 impl Needs<'static> {
-    /// All that a soil has.
-    pub(crate) const ALL: Self = Self { pressure_sinkage: true, shear: true, fitted: &|_| None };
+    /// All that the letter's model takes of a soil.
+    pub(crate) const ALL: Self = Self {
+        pressure_sinkage: true,
+        perhaps_pressure_sinkage: false,
+        shear: true,
+        strength: true,
+        granular_stiffness: false,
+        fitted: &|_| None,
+    };
+
+    /// What the resistive force method takes of it.
+    pub(crate) const GRAINS: Self =
+        Self { pressure_sinkage: false, shear: false, strength: false, granular_stiffness: true, ..Self::ALL };
+
+    /// What one or the other needs.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            pressure_sinkage: self.pressure_sinkage || other.pressure_sinkage,
+            perhaps_pressure_sinkage: self.perhaps_pressure_sinkage || other.perhaps_pressure_sinkage,
+            shear: self.shear || other.shear,
+            strength: self.strength || other.strength,
+            granular_stiffness: self.granular_stiffness || other.granular_stiffness,
+            ..self
+        }
+    }
 }
 
 /// Where the pressure–sinkage law comes from.
@@ -85,14 +117,18 @@ pub(crate) struct FoundSoil {
     /// The contact that the catalogue measured with it.
     pub(crate) contact: Option<Contact>,
     pub(crate) law: LawOrigin,
+    entry: Option<&'static SoilRecord>,
 }
 
 /// The soil, from the request and the preset it names.
 pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let preset = Preset::read(object, &PRESET);
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
-    let cohesion = value(&COHESION);
-    let friction_angle = value(&FRICTION_ANGLE);
+    let or_none = |field: &Field<Number>| preset.optional(object, field).map(|value| value.unwrap_or(0.0));
+    let weights = Weights::read(object, &preset);
+    let follows = needs.granular_stiffness && weights.as_ref().is_some_and(|weights| weights.granular_stiffness.is_none());
+    let cohesion = if needs.strength { value(&COHESION) } else { or_none(&COHESION) };
+    let friction_angle = if needs.strength || follows { value(&FRICTION_ANGLE) } else { or_none(&FRICTION_ANGLE) };
     let shear = shear(object, &preset, needs);
     let lateral_shear_modulus = preset.optional(object, &LATERAL_SHEAR_MODULUS).map(|own| {
         // Wong's laws do not take `shear_modulus_m`; where it is there all the same, it says how the soil yields to shear.
@@ -102,7 +138,8 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         };
         own.or_else(beside_another_law)
     });
-    let unit_weight = preset.optional(object, &UNIT_WEIGHT);
+    let is_stiff = !needs.granular_stiffness
+        || weights.as_ref().is_some_and(|weights| weights.are_enough(object, &preset, (&FRICTION_ANGLE, friction_angle)));
     let pressure_sinkage = pressure_sinkage(object, &preset, needs);
     let (pressure_sinkage, law) = pressure_sinkage?;
     let params = SoilParams {
@@ -110,18 +147,33 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
         friction_angle: friction_angle?,
         shear: shear?,
         pressure_sinkage,
-        unit_weight: unit_weight?,
         lateral_shear_modulus: lateral_shear_modulus?,
-        gravity: preset.entry.and_then(SoilRecord::gravity),
         ..SoilParams::BARE
     };
-    if !preset.is_sound {
+    let weights = weights?;
+    if !preset.is_sound || !is_stiff {
         return None;
     }
-    let soil = Soil::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let soil = weights.soil(params, law == LawOrigin::Catalogue).map_err(|invalid| object.place().fault(invalid)).ok()?;
     let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
-    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law })
+    Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law, entry: preset.entry })
+}
+
+impl FoundSoil {
+    /// A soil that stands for none.
+    pub(crate) fn bare(soil: Soil) -> Self {
+        Self { soil, contact: None, law: LawOrigin::Absent, entry: None }
+    }
+
+    /// Reports at the soil's `place` that the pressure–sinkage law is lacking, where it is; false where it did.
+    pub(crate) fn has_law(&self, place: &Scope<'_>) -> bool {
+        let is_there = self.soil.pressure_sinkage().is_some();
+        if !is_there {
+            missing_law(&place.field(PRESSURE_SINKAGE.name), &Preset { entry: self.entry, is_sound: true });
+        }
+        is_there
+    }
 }
 
 /// The shear law, if there is one; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
@@ -138,6 +190,7 @@ fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> 
         return Some(None);
     }
     let modulus = modulus.or_else(|| (needs.fitted)(SHEAR_MODULUS.name));
+    let modulus = modulus.or_else(|| preset.assumed(object, &SHEAR_MODULUS));
     if modulus.is_none() {
         preset.missing(object, &SHEAR_MODULUS);
     }
@@ -162,10 +215,17 @@ fn pressure_sinkage(
         Some(_) => of_fitted().map(|law| (Some(law), LawOrigin::Replaced)),
         None => match of_fitted() {
             Some(law) => Some((Some(law), LawOrigin::Request)),
+            None if needs.perhaps_pressure_sinkage => {
+                let assumed = assumed_law(object, preset);
+                Some((assumed, if assumed.is_some() { LawOrigin::Catalogue } else { LawOrigin::Absent }))
+            }
             None if !needs.pressure_sinkage => Some((None, LawOrigin::Absent)),
             None => {
-                missing_law(object, preset);
-                None
+                let assumed = assumed_law(object, preset);
+                if assumed.is_none() {
+                    missing_law(&object.place_of(&PRESSURE_SINKAGE), preset);
+                }
+                assumed.map(|law| (Some(law), LawOrigin::Catalogue))
             }
         },
     }
@@ -180,14 +240,34 @@ fn of_fitted(preset: Option<&SoilRecord>, fitted: &dyn Fn(&str) -> Option<f64>) 
     fitted_law::laws().find_map(|law| law.from_named(value).ok())
 }
 
-/// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
-fn missing_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) {
-    match preset.entry.map(|record| (record, record.law.as_deref(), record.missing_of_law())) {
-        Some((record, Some(law), parameters)) => object.place_of(&PRESSURE_SINKAGE).fault(format_args!(
-            "is required: the catalogue has no published value for `{}`; of the law `{law}` it lacks {}",
-            record.id,
-            parameters.join(", ")
-        )),
-        _ => preset.missing(object, &PRESSURE_SINKAGE),
+/// The law of another soil, if it may be assumed; its parameters are then kept for the answer.
+fn assumed_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Option<PressureSinkage> {
+    let record = preset.entry.filter(|_| object.place().may_assume())?;
+    let law = record.lender()?.pressure_sinkage()?;
+    let place = object.place_of(&PRESSURE_SINKAGE);
+    for parameter in law.law().parameters {
+        if let Some(substitute) = record.substitutes().iter().find(|one| one.is_of_law(parameter.name)) {
+            place.field(parameter.name).assume(substitute.value, &substitute.reason);
+        }
     }
+    Some(law)
+}
+
+/// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
+fn missing_law(place: &Scope<'_>, preset: &Preset<SoilRecord>) {
+    let Some(record) = preset.entry else {
+        // What was sent for the preset was reported.
+        if preset.is_sound {
+            place.fault("is required");
+        }
+        return;
+    };
+    let lacking = record
+        .law
+        .as_deref()
+        .map_or_else(String::new, |law| format!("; of the law `{law}` it lacks {}", record.missing_of_law().join(", ")));
+    let offer = record.lender().map_or_else(String::new, |lender| {
+        format!("; with \"assume\": true it is the law of `{}`, see `assumed` in /v1/soils/{}", lender.id, record.id)
+    });
+    place.fault(format_args!("is required: the catalogue has no published value for `{}`{lacking}{offer}", record.id));
 }

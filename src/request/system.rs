@@ -3,19 +3,21 @@
 use terramechanics::{Braking, Circles, Contact, ContactParams, PressureSinkage, Wheel, WheelOnSoil};
 use terramechanics_reading::{Field, Group, Object, Reader, Tagged};
 
+use super::assume::ASSUME;
 use super::laws;
 use super::soil::{self, FoundSoil, Needs};
 use super::{Described, Documented, Shape, wheel};
+use super::{circles, contact};
 
 pub(crate) const WHEEL: Field<&Object> = Field::required("wheel", "The wheel.", &wheel::WHEEL);
 pub(crate) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &soil::SOIL);
 pub(crate) const CONTACT: Field<&Tagged> = Field::new(
     "contact",
     "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.",
-    &laws::CONTACT,
+    &contact::FORMS,
 );
 
-pub(crate) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT];
+pub(crate) const SYSTEM: Group = &[&WHEEL, &SOIL, &CONTACT, &ASSUME];
 
 pub(crate) type PressureSinkageObject = Documented<PressureSinkage>;
 pub(crate) type ContactObject = Documented<Contact>;
@@ -25,7 +27,7 @@ impl Described for PressureSinkage {
 }
 
 impl Described for Contact {
-    const SHAPE: Shape = Shape::Tagged(&laws::CONTACT);
+    const SHAPE: Shape = Shape::Tagged(&contact::FORMS);
 }
 
 /// The parts of a system as far as they could be read.
@@ -33,6 +35,7 @@ pub(crate) struct System {
     pub(crate) wheel: Option<Wheel>,
     pub(crate) soil: Option<FoundSoil>,
     pub(crate) contact: Option<Contact>,
+    pub(crate) circles: Option<Circles>,
 }
 
 impl System {
@@ -55,8 +58,19 @@ pub(crate) fn read_varied(object: &Reader<'_>, variant: Option<&Reader<'_>>, nee
         Some(variant) => soil::read(&own.overlaid(variant), needs),
         None => soil::read(&own, needs),
     });
-    let contact = read_contact(object, soil.as_ref(), needs);
-    System { wheel, soil, contact }
+    with(object, wheel, soil, needs)
+}
+
+/// The system on a soil that no request has.
+pub(crate) fn read_on(object: &Reader<'_>, soil: Option<FoundSoil>, needs: Needs<'_>) -> System {
+    with(object, read_wheel(object), soil, needs)
+}
+
+/// The system of this wheel and soil.
+fn with(object: &Reader<'_>, wheel: Option<Wheel>, soil: Option<FoundSoil>, needs: Needs<'_>) -> System {
+    let circles = circles::read(object);
+    let contact = read_contact(object, soil.as_ref(), circles, needs);
+    System { wheel, soil, contact, circles }
 }
 
 /// The wheel.
@@ -64,14 +78,15 @@ pub(crate) fn read_wheel(object: &Reader<'_>) -> Option<Wheel> {
     object.required(&WHEEL).and_then(|wheel| wheel::read(&wheel))
 }
 
-/// The circles on which displacement and slip are counted: both on the rim, as the letter prints it.
-const CIRCLES: Circles = Circles::RIM;
-
-/// The contact sent, else the one measured with the soil, else the midpoint.
-pub(crate) fn read_contact(object: &Reader<'_>, soil: Option<&FoundSoil>, needs: Needs<'_>) -> Option<Contact> {
-    let Some(chosen) = object.chosen(&CONTACT, needs.fitted)? else {
-        return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT).with_circles(CIRCLES));
+/// The contact sent, else the one measured with the soil, else the midpoint; with its circles.
+pub(crate) fn read_contact(
+    object: &Reader<'_>,
+    soil: Option<&FoundSoil>,
+    circles: Option<Circles>,
+    needs: Needs<'_>,
+) -> Option<Contact> {
+    let Some(params) = contact::read(object, &CONTACT, needs)? else {
+        return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT).with_circles(circles?));
     };
-    let params = ContactParams { circles: CIRCLES, ..laws::contact(&chosen)? };
-    Contact::new(params).map_err(|invalid| object.place_of(&CONTACT).fault(invalid)).ok()
+    contact::checked(object, &CONTACT, ContactParams { circles: circles?, ..params })
 }

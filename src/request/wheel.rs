@@ -46,5 +46,8 @@ pub(crate) fn read(object: &Reader<'_>) -> Option<Wheel> {
     }
     let wheel = Wheel::new(params).map_err(|invalid| object.place().fault(invalid)).ok()?;
     let assumed = !object.has(&LUG_HEIGHT) && preset.entry.is_some_and(|record| record.assumes(LUG_HEIGHT.name));
+    if assumed {
+        preset.assumed(object, &LUG_HEIGHT);
+    }
     Some(if assumed { wheel.with_unknown_lug_height() } else { wheel })
 }

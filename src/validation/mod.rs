@@ -6,15 +6,19 @@
 //! record to that folder and to [`RECORDS`].
 
 mod compared;
+mod inputs;
 mod prediction;
 mod record;
 mod run;
+mod sensitivity;
 mod side_slip;
 
 pub(crate) use compared::{COMPARED, Compared};
-pub(crate) use prediction::{Prediction, root_mean_square};
+pub(crate) use inputs::Origin;
+pub(crate) use prediction::{Prediction, root_mean_square, system};
 pub(crate) use record::{MeasurementGrade, Record};
 pub(crate) use run::{Run, all_runs};
+pub(crate) use sensitivity::{AtModulus, of_shear_modulus};
 
 use std::sync::LazyLock;
 
@@ -71,10 +75,12 @@ pub(crate) fn ids() -> Vec<&'static str> {
 pub(crate) fn quadratures() -> (usize, usize) {
     let of = |is_sideways: bool| {
         let runs = records().iter().flat_map(|record| record.runs().iter().map(move |run| (record, run)));
-        let by_quadrature = runs.filter(|(_, run)| run.method == "quadrature" && run.side.is_some() == is_sideways);
+        let by_quadrature = runs.filter(|(_, run)| run.is_integral() && run.side.is_some() == is_sideways);
         by_quadrature.map(|(record, _)| record.points().slip.len()).sum()
     };
-    (of(false), of(true))
+    let straight = records().iter().filter(|record| record.side_slip.is_none());
+    let beside: usize = straight.map(|record| sensitivity::RUNS * record.points().slip.len()).sum();
+    (of(false) + beside, of(true))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What the model gives at the points of a set: each is the request that a client would send to `/v1/forces`.
 
-use terramechanics::{Caution, OperatingPoint, Outcome, cautions};
+use terramechanics::{Caution, OperatingPoint, Outcome, WheelOnSoil, cautions};
 use terramechanics_reading::Node;
 
 use super::{Record, Run};
@@ -21,9 +21,14 @@ pub(crate) struct Prediction {
 impl Prediction {
     /// The points of `record` by `run`.
     pub(crate) fn of(record: &Record, run: &'static Run) -> Self {
+        Self::with(record, run, None)
+    }
+
+    /// The same with another shear modulus (m), where there is one.
+    pub(super) fn with(record: &Record, run: &'static Run, shear_modulus: Option<f64>) -> Self {
         let mut prediction = Self { run, points: Vec::new(), cautions: RowCautions::default() };
         for row in 0..record.points().slip.len() {
-            let found = point(record, run, row);
+            let found = point(record, run, row, shear_modulus);
             prediction.points.push(found.map(|(point, cautions)| {
                 prediction.cautions.add(row, cautions.into_iter());
                 point
@@ -45,19 +50,25 @@ impl Prediction {
 }
 
 /// The operating point of a row, or why there is none.
-fn point(record: &Record, run: &Run, row: usize) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
-    let query = query(record, run, row).map_err(Reason::Request)?;
-    let point = query.operation.at(query.motion.slip).map_err(Reason::Model)?;
-    let cautions = cautions(&query.operation, &Outcome::from(&point)).collect();
+fn point(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
+    let case = case(record, run, row, shear_modulus).map_err(Reason::Request)?;
+    let (_, point) = case.point().map_err(Reason::Model)?;
+    let cautions = cautions(&case.operation, &Outcome::from(&point)).collect();
     Ok((point, cautions))
 }
 
-/// The request for a row.
-fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesCase, String> {
+/// The wheel on its soil; none where the record is no request.
+pub(crate) fn system(record: &Record) -> Option<WheelOnSoil> {
+    case(record, record.runs().first()?, 0, None).ok().map(|case| case.operation.system)
+}
+
+/// The request for a row, with another shear modulus where there is one.
+fn case(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> Result<ForcesCase, String> {
     let points = record.points();
     let mut body = run.fields();
     body["wheel"] = record.wheel.clone();
     body["soil"] = record.soil.clone();
+    body["slip_radius"] = record.slip_radius.as_str().into();
     body["slip"] = record.slip()[row].into();
     body["normal_load_n"] = points.load()[row].into();
     if let Some(contact) = record.contact_at(points.slip[row]) {
@@ -65,6 +76,9 @@ fn query(record: &Record, run: &Run, row: usize) -> Result<ForcesCase, String> {
     }
     if let Some(side) = record.side_slip {
         body["slip_angle_rad"] = side.angle().into();
+    }
+    if let Some(shear_modulus) = shear_modulus {
+        body["soil"]["shear_modulus_m"] = shear_modulus.into();
     }
     checked(&Node::from(&body)).map_err(|faults| {
         let told: Vec<String> = faults.iter().map(|fault| format!("{} {}", fault.pointer, fault.detail)).collect();
@@ -89,7 +103,7 @@ mod tests {
         for record in records() {
             for run in record.runs() {
                 for row in 0..record.points().slip.len() {
-                    assert_eq!(query(record, run, row).err(), None, "{} {}", record.id, run.series);
+                    assert_eq!(case(record, run, row, None).err(), None, "{} {}", record.id, run.series);
                 }
             }
         }

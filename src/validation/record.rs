@@ -1,11 +1,16 @@
 //! Sets of measurements as they are kept.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use terramechanics::Soil;
 use utoipa::ToSchema;
 
-use super::run::{BRAKING, Run, SIDEWAYS, STRAIGHT};
+use super::inputs::InputsOfOrigin;
+use super::run::{Run, runs_of};
 use super::side_slip::SideSlipOfSet;
+use crate::catalogue;
 
 /// How well measurements are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
@@ -27,6 +32,11 @@ pub(crate) enum MeasurementGrade {
 pub(crate) struct Record {
     pub(crate) id: String,
     pub(crate) title: String,
+    /// Where its inputs come from.
+    pub(crate) inputs: Vec<InputsOfOrigin>,
+    /// Measured columns that count in no error, each with the reason.
+    #[serde(default)]
+    pub(crate) not_scored: BTreeMap<String, String>,
     pub(crate) source: String,
     pub(crate) grade: MeasurementGrade,
     pub(crate) note: Option<String>,
@@ -35,6 +45,10 @@ pub(crate) struct Record {
     pub(crate) contact: Option<Value>,
     /// Where the wheel moved at a slip angle: its slips are then those of travel, and the contact goes with them.
     pub(crate) side_slip: Option<SideSlipOfSet>,
+    /// Circle on which the slip was counted, as a request has it.
+    pub(crate) slip_radius: String,
+    /// Whether the source says so; else it is assumed.
+    pub(crate) slip_radius_stated: bool,
     /// What of the parameters was fitted to these measurements.
     pub(crate) fitted_to: Option<String>,
     measured: Measured,
@@ -101,13 +115,17 @@ impl Record {
 
     /// The ways in which it is run.
     pub(crate) fn runs(&self) -> &'static [Run] {
-        if self.side_slip.is_some() {
-            &SIDEWAYS
-        } else if self.points().slip.iter().all(|slip| *slip < 0.0) {
-            &BRAKING
-        } else {
-            &STRAIGHT
-        }
+        let is_braking = self.points().slip.iter().all(|slip| *slip < 0.0);
+        // A set that shares its measurements differs from the other in laws that grains do not have.
+        let by_grains = self.has_density() && matches!(self.measured, Measured::Points(_));
+        runs_of(self.side_slip.is_some(), is_braking, by_grains)
+    }
+
+    /// Whether the bulk density of the soil is known.
+    fn has_density(&self) -> bool {
+        let name = Soil::BULK_DENSITY.name;
+        let preset = self.soil["preset"].as_str().and_then(catalogue::soil);
+        self.soil[name].is_number() || preset.is_some_and(|record| record.number(name).is_some())
     }
 }
 

@@ -29,21 +29,40 @@ const fn sideways(series: &'static str, shear_coupling: &'static str, bulldozing
     Run { series, side: Some(SideLaws { shear_coupling, bulldozing }), ..by("quadrature") }
 }
 
-/// Straight ahead: every method.
-pub(super) const STRAIGHT: [Run; 3] = [by("quadrature"), by("linearised"), by("explicit")];
+/// Straight ahead: every method; the last only where a density is known.
+const STRAIGHT: [Run; 4] = [by("quadrature"), by("linearised"), by("explicit"), by(GRAINS)];
+
+/// The method that needs a density and none of the laws.
+const GRAINS: &str = "resistive_force";
 
 /// A wheel that brakes at every point: also by the other law of braking, which has no closed form.
-pub(super) const BRAKING: [Run; 4] =
-    [STRAIGHT[0], STRAIGHT[1], STRAIGHT[2], Run { series: "quadrature_two_zone", braking: "two_zone", ..STRAIGHT[0] }];
+const BRAKING: [Run; 5] = [
+    STRAIGHT[0],
+    STRAIGHT[1],
+    STRAIGHT[2],
+    Run { series: "quadrature_two_zone", braking: "two_zone", ..STRAIGHT[0] },
+    STRAIGHT[3],
+];
 
 /// At a slip angle: every pair of laws, the defaults of a request first. No closed form has a lateral force, and no slip angle
 /// has two zones.
-pub(super) const SIDEWAYS: [Run; 4] = [
+const SIDEWAYS: [Run; 4] = [
     sideways("quadrature", "independent", "full"),
     sideways("quadrature_mobilised", "independent", "mobilised"),
     sideways("quadrature_coupled", "coupled", "full"),
     sideways("quadrature_coupled_mobilised", "coupled", "mobilised"),
 ];
+
+/// The runs of a set, by what its wheel does; by grains where that is asked for.
+pub(super) fn runs_of(is_sideways: bool, is_braking: bool, by_grains: bool) -> &'static [Run] {
+    let runs: &[Run] = match (is_sideways, is_braking) {
+        (true, _) => return &SIDEWAYS,
+        (false, true) => &BRAKING,
+        (false, false) => &STRAIGHT,
+    };
+    let (last, others) = (runs.len(), runs.len() - 1);
+    &runs[..if by_grains { last } else { others }]
+}
 
 /// Every run there is, each once.
 pub(crate) fn all_runs() -> Vec<Run> {
@@ -57,6 +76,16 @@ pub(crate) fn all_runs() -> Vec<Run> {
 }
 
 impl Run {
+    /// Whether it takes nothing of the laws of the soil.
+    pub(crate) fn is_by_grains(&self) -> bool {
+        self.method == GRAINS
+    }
+
+    /// Whether its forces are found by integration.
+    pub(super) fn is_integral(&self) -> bool {
+        self.method == "quadrature" || self.is_by_grains()
+    }
+
     /// The fields of a request that choose it.
     pub(super) fn fields(&self) -> Value {
         let mut fields = json!({"method": self.method});

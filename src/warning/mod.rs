@@ -23,6 +23,7 @@ pub(crate) use table::{Finding, NOTES, Note};
 pub(crate) use words::Reason;
 
 use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};
+use terramechanics_reading::Assumption;
 
 use crate::catalogue::{self, Outside};
 
@@ -154,6 +155,12 @@ pub(crate) fn of_system(system: &WheelOnSoil) -> impl Iterator<Item = Warning> +
 pub(crate) fn of_point(cautions: impl Iterator<Item = Caution>, system: &WheelOnSoil, heading: Heading) -> Vec<Warning> {
     let mirrored = (heading == Heading::Backward).then(|| Warning::from(Finding::Mirrored {}));
     cautions.map(Warning::from).chain(of_system(system)).chain(mirrored).collect()
+}
+
+/// What is to be said where values were assumed.
+pub(crate) fn of_assumptions(assumptions: &[Assumption]) -> Option<Warning> {
+    let value = |one: &Assumption| (one.field.clone(), one.value);
+    (!assumptions.is_empty()).then(|| Finding::AssumedValues { values: assumptions.iter().map(value).collect() }.into())
 }
 
 /// The finding that rows have no solution, because of `error`, which belongs to the field at `pointer`.

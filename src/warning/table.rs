@@ -1,5 +1,6 @@
 //! The table of findings: to add one is to add an entry, and to raise it where it is found.
 
+use terramechanics::Nearest;
 use terramechanics_identification::{DesignGap, StopReason};
 
 use super::Measure;
@@ -112,6 +113,15 @@ findings! { many;
     },
     advises "Check its unit.";
 
+    "assumed_values" AssumedValues { values: Vec<(String, f64)> }
+    means "Values of a preset that were never published were assumed, as the request allowed: which, and with what value. The answer lists under `assumed` where each comes from."
+    field "/assume",
+    says {
+        let values: Vec<String> = values.iter().map(|(field, value)| format!("`{field}` = {}", number(*value))).collect();
+        format!("never published and assumed: {}.", listed(&values))
+    },
+    advises "Look under `assumed` where each value comes from, and send your own where it is known.";
+
     "no_solution" NoSolution { reason: Reason, pointer: &'static str }
     means "Points of a sweep or samples of a track have no solution: which, and why the first has none."
     about reason.measure(),
@@ -122,6 +132,60 @@ findings! { many;
         let points = if many { "these points" } else { "this point" };
         if pointer.is_empty() { format!("Leave {points} out.") } else { format!("Change `{pointer}`, or leave {points} out.") }
     };
+
+    "not_climbed" NotClimbed { needed: f64, reached: f64, slip: f64, nearest: Nearest }
+    means "No slip gives the pull that the slope and the hitch of a rover need: the pull needed, and the one that comes nearest."
+    about {
+        let bound = |of: Nearest| (*nearest == of).then_some(*reached);
+        Measure::of("needed_pull_n", *needed).beyond(bound(Nearest::Least), bound(Nearest::Largest), "the pull at slips from -1 to 1")
+    },
+    field "/slope_rad",
+    figure Figure::of("slip", *slip, "1"),
+    says format!(
+        "no slip gives the {} that slope and hitch need{}: {} pull is {}, at a slip of {}.",
+        with_unit(*needed, "N"),
+        if many { " on the first of these slopes" } else { "" },
+        nearest.in_words(),
+        with_unit(*reached, "N"),
+        number(*slip)
+    ),
+    advises "`largest_slope_rad` has the largest slope that the rover climbs.";
+
+    "slip_beyond_limit" SlipBeyondLimit { slip: f64, limit: f64 }
+    means "A rover climbs a slope only with more slip than the limit."
+    about Measure::of("slip", *slip).in_unit("1").beyond(None, Some(*limit), "`slip_limit` of the request"),
+    field "/slip_limit",
+    says format!("the rover climbs only with a slip of {}, above the limit {}.", number(*slip), number(*limit)),
+    advises "Take care: a rover that slips so much digs itself in. `largest_slope_rad` has the largest slope below the limit.";
+
+    "wheel_lifts" WheelLifts { station: usize, load: f64, slope: f64 }
+    means "By statics a wheel of a rover would have to pull the ground up: it lifts off, and the rover tips over."
+    about Measure::of("normal_load_n", *load).beyond(Some(0.0), None, "statics of a rigid body"),
+    field "/centre_of_mass",
+    figure Figure::of("slope", *slope, "rad"),
+    says format!(
+        "the wheel of station {station} lifts off on a slope of {}: statics ask for a load of {} there.",
+        with_unit(*slope, "rad"),
+        with_unit(*load, "N")
+    ),
+    advises "Lower the centre of mass, move it uphill, or set the wheels further apart.";
+
+    "climb_ends_by_wheel" ClimbEndsByWheel { reason: String }
+    means "The largest slope is where a wheel lifts off or has no answer, not where the pull ends."
+    field "/centre_of_mass",
+    says format!("the largest slope is not where the pull ends, because on a steeper one {reason}."),
+    advises "With other loads the rover may climb further.";
+
+    "climbs_everything" ClimbsEverything { slope: f64 }
+    means "The rover climbs every slope that is tried."
+    about Measure::of("slope_rad", *slope),
+    says format!("the rover climbs every slope up to {}, the largest that is tried.", with_unit(*slope, "rad")),
+    advises "Check the cohesion and the friction angle: no loose soil is that strong.";
+
+    "no_largest_slope" NoLargestSlope { reason: String }
+    means "There is no slope that the rover climbs, level ground and descents included."
+    says format!("`largest_slope_rad` is null, because {reason}."),
+    advises "Check the mass, the soil and the pull at the hitch.";
 
     "missing_value" MissingValue { columns: Vec<(&'static str, u64)> }
     means "Samples of a track lack a value: how many, the first, and which value."
@@ -235,6 +299,12 @@ findings! { many;
     field "/braking",
     says "the linear stresses are null: no shear stress acts at the peak of a braking wheel with two zones.",
     advises "Choose `one_zone` to get them.";
+
+    "no_linear_stresses" NoLinearStressesInGrains {}
+    means "The linear stresses of a profile by the method resistive_force are null, because it has no linear form."
+    field "/method",
+    says "the linear stresses are null: the method `resistive_force` has no linear form.",
+    advises "Use the quadrature to get them.";
 
     "not_converged" NotConverged { stop: StopReason }
     means "The search for parameters ended before a minimum; stop_reason says why."
@@ -375,6 +445,18 @@ findings! { many;
         format!("`{parameter}` is {value}, {beyond}.")
     },
     advises "Check the units of the data (SI).";
+
+    "may_be_the_interface" MayBeTheInterface { parameters: Vec<&'static str> }
+    means "The wheel has no lugs: a bare rim slips on the grains before the soil shears in itself, so that the strength and the shear modulus that a fit finds may be those between rim and soil."
+    field "/contact",
+    names parameters.clone(),
+    says format!(
+        "the wheel has no lugs, so that {} may belong to the interface of rim and soil. The soil by itself is stronger and shears over \
+         a longer way.",
+        quoted(parameters)
+    ),
+    advises "Use the values for wheels like this one, or give those of the soil and fit `interface_friction_angle_rad` and \
+             `interface_shear_modulus_m`.";
 
     "law_replaced" LawReplaced {}
     means "`k_s` is fitted, so the law `direct` replaces that of the preset."

@@ -1,6 +1,8 @@
 //! Numbers, names and reasons in words, for the sentences of warnings.
 
-use terramechanics::{Error, Fault, JanosiHanamoto, Parameter, Parametrised, PressureSinkage, Soil, WheelOnSoil, WheelParams};
+use terramechanics::{
+    Error, Fault, JanosiHanamoto, Nearest, Parameter, Parametrised, PressureSinkage, Soil, WheelOnSoil, WheelParams,
+};
 
 use super::Measure;
 use super::figure::Figure;
@@ -73,6 +75,11 @@ impl Reason {
             Error::LoadBeyondCapacity { load, largest, .. } => of("load", load, "N", None, Some(largest)),
             Error::LoadTooLight { load, least, .. } => of("load", load, "N", Some(least), None),
             Error::InterfaceBeyondSoil { parameter, value, soil } => of(parameter.name, value, parameter.unit, None, Some(soil)),
+            Error::PullOutOfReach { pull, reached, nearest, .. } => {
+                let bound = |is_bound: bool| is_bound.then_some(reached);
+                let (least, largest) = (bound(nearest == Nearest::Least), bound(nearest == Nearest::Largest));
+                of(pull.parameter().name, pull.value(), pull.parameter().unit, least, largest)
+            }
             Error::LoadBelowCohesion { load, carries } => of("load", load, "N", Some(carries), None),
             Error::Invalid(_)
             | Error::OppositeRotation { .. }

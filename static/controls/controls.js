@@ -27,7 +27,7 @@ import { createFieldRow } from "./field-row.js";
  */
 const SECTIONS = {
   wheel: { fields: ["wheel"], choices: [] },
-  strength: { fields: ["strength", ...groupsOf(SHEAR)], choices: ["shear"] },
+  strength: { fields: ["strength", "grains", ...groupsOf(SHEAR)], choices: ["shear"] },
   pressure: { fields: groupsOf(PRESSURE_SINKAGE), choices: ["law"] },
   options: { fields: [...groupsOf(CONTACT), "explicit"], choices: ["rule", "normal_stress_radius", "peak_sinkage"] },
 };

@@ -73,7 +73,7 @@ const ofWheel = (name, dress) => asField(noteAt(`/wheel/${name}`), "wheel", dres
  * @param {string} name
  * @param {Dress & { key: string, name: string }} dress
  */
-const ofSoil = (name, dress) => asField(noteAt(`/soil/${name}`), "strength", dress,
+const ofSoil = (name, dress, group = "strength") => asField(noteAt(`/soil/${name}`), group, dress,
   ({ soil }) => /** @type {number | undefined} */ (soil?.soil[name]));
 
 /** @type {Field[]} */
@@ -102,6 +102,9 @@ const PARAMETERS = [
   ofWheel("lug_coefficient", { key: "lug_coef", name: "lug_coefficient", slider: [0, 1, 0.05] }),
   ofSoil("cohesion_pa", { key: "c_kpa", name: "cohesion", slider: [0, 10, 0.05] }),
   ofSoil("friction_angle_rad", { key: "phi_deg", name: "friction_angle", slider: [0, 60, 0.5] }),
+  ofSoil("bulk_density_kg_m3", { key: "rho_kg_m3", name: "bulk_density", slider: [800, 2200, 5] }, "grains"),
+  ofSoil("gravity_m_s2", { key: "g_m_s2", name: "gravity", slider: [0.1, 10, 0.01], blank: "9.80665" }, "grains"),
+  ofSoil("granular_stiffness_n_m3", { key: "xi_kn_m3", name: "granular_stiffness", blank: "from ρ" }, "grains"),
 ];
 
 /** @type {Field[]} */

@@ -29,14 +29,23 @@ export const QUANTITIES = {
   overturning_moment_n_m: { name: "Overturning moment", unit: "N·m", factor: 1 },
   aligning_moment_n_m: { name: "Aligning moment", unit: "N·m", factor: 1 },
   sinkage_modulus: { name: "Sinkage modulus", unit: "kPa/mᴺ", factor: 1e-3 },
+  granular_stiffness_n_m3: { name: "Granular stiffness", unit: "kN/m³", factor: 1e-3 },
   sinkage_exponent: { name: "Sinkage exponent", unit: "", factor: 1 },
   shearing_radius_m: { name: "Shearing radius", unit: "mm", factor: 1e3 },
 };
 
 /** @type {Record<Method, string>} */
-export const METHOD_NAMES = { quadrature: "Quadrature", linearised: "Linearised", explicit: "Explicit" };
+export const METHOD_NAMES = { quadrature: "Quadrature", linearised: "Linearised", explicit: "Explicit", resistive_force: "Resistive force" };
 
-export const METHODS = /** @type {Method[]} */ (Object.keys(METHOD_NAMES));
+/**
+ * The methods that are compared: those of the letter, and the chosen one where it is another, which asks other values of the soil.
+ * @param {Method} chosen
+ */
+export function comparedWith(chosen) {
+  /** @type {Method[]} */
+  const letter = ["quadrature", "linearised", "explicit"];
+  return letter.includes(chosen) ? letter : [...letter, chosen];
+}
 
 /**
  * The page's name of a method that the API names.

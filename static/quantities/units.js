@@ -48,7 +48,7 @@ export const DEGREE = {
 };
 
 /** @type {Record<string, Unit>} */
-const PAGE_UNITS = { m: MILLIMETRE, Pa: KILOPASCAL, rad: DEGREE, N: NEWTON, 1: ONE, "": ONE, "Pa/m^N": MODULUS, "N/m3": power("kN/m³", 3, "in N/m³") };
+const PAGE_UNITS = { m: MILLIMETRE, Pa: KILOPASCAL, rad: DEGREE, N: NEWTON, 1: ONE, "": ONE, "Pa/m^N": MODULUS, "N/m3": power("kN/m³", 3, "in N/m³"), "kg/m3": power("kg/m³", 0), "m/s2": power("m/s²", 0) };
 /** @type {Record<string, string>} */
 const RAISED = { n: "ⁿ", m: "ᵐ", N: "ᴺ", "+": "⁺", "-": "⁻", 1: "¹", 2: "²", 3: "³", "(": "", ")": "" };
 

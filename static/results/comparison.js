@@ -32,7 +32,7 @@ export function showComparison(container, outcomes) {
     return html("tr", { "data-method": method }, rowHead(METHOD_NAMES[method]), ...cells);
   });
   container.replaceChildren(table({ id: "comparison-table" }, {
-    caption: "The three methods at this operating point",
+    caption: "The methods at this operating point",
     heads: [html("tr", {}, ...columnHeads(["Method"]), ...MAIN_SYMBOLS.map((symbol) => html("th", { scope: "col" }, html("i", {}, ...symbolHtml(symbol)))))],
     rows,
   }));
@@ -85,12 +85,12 @@ function gapNote(slips, spread) {
   const { rows } = spread.torque_n_m;
   const unsolved = rows < slips.length ? `, at ${rows} of which all have a solution` : "";
   return `Over ${slips.length} slips from ${wholePercent(slips[0])} to ${wholePercent(slips[slips.length - 1])}${unsolved}: rms is the root mean `
-    + "square, in brackets relative to that of the quadrature; the mean is negative where the closed form gives less. The spread is the "
+    + "square, in brackets relative to that of the quadrature; the mean is negative where the method gives less. The spread is the "
     + "highest of all methods minus the lowest at each slip.";
 }
 
 /**
- * How far each closed form is from the integral over the slips of the charts, and how far all are apart.
+ * How far each other method is from the quadrature over the slips of the charts, and how far all are apart.
  * @param {HTMLElement} container
  * @param {Series[]} series
  * @param {Comparison["spread"]} [spread] absent for a single method
@@ -98,16 +98,16 @@ function gapNote(slips, spread) {
 export function showGaps(container, series, spread) {
   container.hidden = !spread;
   if (!spread) return;
-  const closedForms = series.flatMap(({ method, gap_to_quadrature: gaps }) =>
+  const others = series.flatMap(({ method, gap_to_quadrature: gaps }) =>
     (gaps && method !== "quadrature" ? gapRows(method, methodName(method), gaps) : []));
   container.replaceChildren(
     table({ id: "gap-table" }, {
-      caption: "Gap of the closed forms to the integral, over slip",
+      caption: "Gap to the quadrature, over slip",
       heads: [html("tr", {},
         ...columnHeads(["Method"]),
         html("th", { scope: "col" }, html("span", { class: "visually-hidden" }, "Quantity")),
         ...columnHeads(["rms", "Mean", "Largest"]))],
-      rows: [...closedForms, ...gapRows("spread", "Spread of all", spread)],
+      rows: [...others, ...gapRows("spread", "Spread of all", spread)],
     }),
     html("p", { class: "gap-note" }, gapNote(series[0].columns.slip, spread)));
 }

@@ -72,6 +72,7 @@ export function profileBody(settings, sinkage) {
     slip: settings.slip,
     ...given,
     ...settings.brakingLaw,
+    ...(settings.method === "resistive_force" && { method: settings.method }),
     ...(settings.peakSinkage && { peak_sinkage: settings.peakSinkage }),
     points: PROFILE_POINTS,
   };

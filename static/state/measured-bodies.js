@@ -30,7 +30,9 @@ function withFittedLaw(soil, fit) {
  */
 export function identifyBody(settings, fit, data) {
   const { soil, ...common } = settings.common;
-  return { ...common, soil: withFittedLaw(soil, fit), method: settings.method, ...options(settings, settings.method), fit, data };
+  // A method without what is fitted is refused by the API, which says why.
+  const method = /** @type {IdentifyRequest["method"]} */ (settings.method);
+  return { ...common, soil: withFittedLaw(soil, fit), method, ...options(settings, settings.method), fit, data };
 }
 
 /** @typedef {"measured" | "measured_load" | "load" | "static" | "page"} SinkageSource the last three are set on the page */

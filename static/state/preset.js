@@ -83,5 +83,6 @@ export function activeGroups(state, context) {
     groupsOfLaw(SLIP_SINKAGE, state.slip_sinkage).forEach((group) => groups.add(group));
   }
   if (state.method === "explicit" || state.compare) groups.add("explicit");
+  if (state.method === "resistive_force") groups.add("grains");
   return groups;
 }

@@ -3,7 +3,7 @@
 import { siFromText, typingAdvice } from "../quantities/field-values.js";
 import { FIELDS } from "../quantities/fields.js";
 import { CONTACT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsAt } from "../quantities/law-fields.js";
-import { METHODS } from "../quantities/results.js";
+import { comparedWith } from "../quantities/results.js";
 import { activeGroups, contextOf } from "./preset.js";
 
 /** @import { Catalogue, Contact, FieldFault, ForcesRequest, Method, Soil, Wheel } from "../api/types.js" */
@@ -94,7 +94,7 @@ function readFields(state, context) {
  */
 function soilOf(state, context, { isTouched, overrides, complete }) {
   /** @type {Values & { shear?: Values, pressure_sinkage?: Values }} */
-  const soil = { preset: state.soil, ...overrides("strength", ...groupsAt("/soil")) };
+  const soil = { preset: state.soil, ...overrides("strength", "grains", ...groupsAt("/soil")) };
   if (state.shear !== null || isTouched(...SHEAR_GROUPS)) soil.shear = { law: context.shearLaw, ...complete(...SHEAR_GROUPS) };
   // Spelling out a preset's incomplete law lets the API name the moduli that are missing.
   const isIncomplete = context.soil?.missing.includes("pressure_sinkage");
@@ -146,7 +146,7 @@ export function settingsOf(state, catalogue) {
     brakingLaw: fields.groups.has("braking_law") && state.braking_law !== "one_zone" ? { braking: state.braking_law } : {},
     slipAngle: fields.overrides("slip_angle"),
     method: state.method,
-    methods: state.compare ? METHODS : [state.method],
+    methods: state.compare ? comparedWith(state.method) : [state.method],
     normalStressRadius: state.normal_stress_radius,
     peakSinkage: state.peak_sinkage,
     lambdas: /** @type {Settings["lambdas"]} */ (fields.overrides("explicit")),

@@ -30,6 +30,9 @@ export function fillValidation(section) {
     ...SET_CHARTS.map(({ id, title, symbol }) => chartFigure(id, titleWithSymbol(title, symbol))));
   section.append(
     tablePlace("validation-errors", "Errors by set and method", true),
+    laws("Dry grains", [
+      "The method ", code("resistive_force"), " beside the quadrature, for soils of known density. No set was fitted by what it takes of a soil.",
+    ], tablePlace("validation-grains", "Errors in dry grains", false)),
     laws("Laws of braking", [
       "By quadrature. A locked wheel has no solution with two zones, so its point counts for one zone only.",
     ], tablePlace("validation-braking", "Errors by law of braking", false)),

@@ -25,4 +25,7 @@ export const isSideways = (set) => set.slip_angle_rad !== undefined;
 export const hasTwoZones = (set) => set.results.some(({ braking }) => braking === "two_zone");
 
 /** @param {ValidationSet} set */
+export const isInGrains = (set) => set.results.some(({ method }) => method === "resistive_force");
+
+/** @param {ValidationSet} set */
 export const seriesNames = (set) => (isSideways(set) ? SIDE_NAMES : SERIES_NAMES);

@@ -3,7 +3,7 @@
 import { html } from "../dom/elements.js";
 import { columnHeads, rowHead, table } from "../dom/tables.js";
 import { fixed } from "../numbers/format.js";
-import { SERIES_NAMES, SIDE_NAMES, hasTwoZones, isSideways } from "./sets.js";
+import { SERIES_NAMES, SIDE_NAMES, hasTwoZones, isInGrains, isSideways } from "./sets.js";
 
 /** @import { ValidationResult, ValidationSet } from "../api/types.js" */
 
@@ -39,6 +39,13 @@ export const TABLES = [
     of: (set) => !isSideways(set),
     errors: [PULL, SINKAGE, TORQUE],
     series: { quadrature: "Quadr.", linearised: "Linear.", explicit: "Expl." },
+    names: SERIES_NAMES,
+  },
+  {
+    id: "validation-grains",
+    of: isInGrains,
+    errors: [PULL, SINKAGE, TORQUE],
+    series: { quadrature: "Quadr.", resistive_force: "Grains" },
     names: SERIES_NAMES,
   },
   {

@@ -21,7 +21,8 @@ fn reference_cases_come_back_over_http() {
     let forces =
         |case: &&Value| case["expected"].is_object() && !case["name"].as_str().expect("a name").starts_with("front zone");
     for case in cases.iter().filter(forces) {
-        let reply = post("/v1/forces", &with(&case["input"], json!({"braking": "two_zone"}))).ok();
+        let reply =
+            post("/v1/forces", &with(&case["input"], json!({"braking": "two_zone", "shear_displacement_radius": "rim"}))).ok();
         let expected = &case["expected"]["quadrature"];
         let number = |value: &Value| value.as_f64().expect("a number");
         let scale = number(&expected["normal_support_n"]) + number(&expected["resistance_n"]).abs();

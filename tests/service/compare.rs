@@ -242,7 +242,7 @@ fn a_table_names_its_columns_by_method() {
 #[test]
 fn bad_names_of_methods_are_pointed_at() {
     let faults = |methods: Value| post("/v1/compare", &comparison(json!({"methods": methods}))).pointers();
-    assert_eq!(faults(json!(["quadrature", "explict", 3, "quadrature"])), ["/methods"]);
+    assert_eq!(faults(json!(["quadrature", "explict", 3, "quadrature", "explicit"])), ["/methods"]);
     assert_eq!(faults(json!(["quadrature", "explict", 3])), ["/methods/1", "/methods/2"]);
     assert_eq!(faults(json!(["quadrature", "quadrature"])), ["/methods/1"]);
     assert_eq!(faults(json!([])), ["/methods"]);

@@ -146,6 +146,7 @@ fn the_document_has_the_routes_of_the_api() {
         "post /v1/stress-profile",
         "post /v1/towed",
         "post /v1/track",
+        "post /v1/vehicle",
     ];
     assert_eq!(routes, expected.map(str::to_owned).into());
     // A documented path exists: asked with its methods it is neither 404 nor 405; and no other method is.

@@ -88,6 +88,11 @@ fn a_law_that_is_only_partly_published_names_the_rest() {
 
 const ASSUMED: &str = "lug_height_assumed";
 
+/// Whether the catalogue says that the lugs of a wheel are not known.
+fn has_unknown_lugs(wheel: &Value) -> bool {
+    wheel["assumed"].as_array().expect("an array").iter().any(|one| one["field"] == "lug_height_m")
+}
+
 #[test]
 fn a_wheel_whose_lug_height_is_not_published_says_that_it_is_computed_as_smooth() {
     let mut assumed = 0;
@@ -96,7 +101,7 @@ fn a_wheel_whose_lug_height_is_not_published_says_that_it_is_computed_as_smooth(
         let preset = with(&width, json!({"preset": wheel["id"]}));
         let answer = post("/v1/forces", &request_with("wheel", &preset));
         let says_so = answer.warned_of().contains(&ASSUMED.into());
-        assert_eq!(says_so, names(&wheel["assumed"]) == ["lug_height_m"], "{}", wheel["id"]);
+        assert_eq!(says_so, has_unknown_lugs(&wheel), "{}", wheel["id"]);
         if says_so {
             assumed += 1;
             assert!(wheel["wheel"]["lug_height_m"].is_null());

@@ -59,7 +59,7 @@ fn faults_have_the_pointers_and_words_of_the_body() {
         json!({"wheel": {"radus_m": 1}, "methud": "explicit"}),
         json!({"soil": {"pressure_sinkage": {"law": "bekkr"}}}),
         json!({"sinkage_m": null}),
-        json!({"normal_load_n": 80}),
+        json!({"static_sinkage_m": 0.01}),
         json!({"slip": {"from": 0}}),
         json!({"wheel": null}),
         json!({"wheel": 7}),

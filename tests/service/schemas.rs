@@ -105,7 +105,9 @@ fn every_number_of_a_request_has_a_unit() {
     assert!(found.len() > 200, "{}", found.len());
     for (at, schema) in &found {
         let unit = schema["x-unit"].as_str().unwrap_or_else(|| panic!("{at} has no unit"));
-        let name = at.rsplit('/').next().expect("a name");
+        // The ends of a range are in the unit of the range.
+        let whole = at.strip_suffix("/from").or_else(|| at.strip_suffix("/to")).unwrap_or(at);
+        let name = whole.rsplit('/').next().expect("a name");
         for (ending, own) in
             [("_rad", "rad"), ("_pa", "Pa"), ("_n_m", "N.m"), ("_m_s", "m/s"), ("_rad_s", "rad/s"), ("_n_m3", "N/m3")]
         {

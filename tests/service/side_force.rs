@@ -33,7 +33,7 @@ fn reference_cases_come_back_over_http() {
     for case in &cases {
         for coupling in ["independent", "coupled"] {
             for bulldozing in ["full", "mobilised"] {
-                let changes = json!({"shear_coupling": coupling, "bulldozing": bulldozing});
+                let changes = json!({"shear_coupling": coupling, "bulldozing": bulldozing, "shear_displacement_radius": "rim"});
                 let reply = post("/v1/forces", &with(&case["input"], changes)).ok();
                 let expected = &case["expected"][coupling];
                 let across = &expected[bulldozing];

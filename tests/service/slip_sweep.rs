@@ -104,7 +104,7 @@ fn a_table_has_the_same_numbers() {
 fn a_braking_range_is_warned_of_once() {
     let changes = json!({"sinkage_m": null, "static_sinkage_m": 0.01, "slip": {"from": -0.5, "to": 0.5, "points": 5}});
     let answer = post("/v1/slip-sweep", &sweep(changes));
-    assert_eq!(answer.warned_of(), ["small_wheel", "slip_sinkage_extrapolated"]);
+    assert_eq!(answer.warned_of(), ["small_wheel", "slip_sinkage_extrapolated", "normal_force_drifts"]);
     let warning = &answer.ok()["warnings"][1];
     assert!(warning["detail"].as_str().expect("a detail").starts_with("At rows 0 to 1: slip is -0.5 at worst, below 0 "));
     assert_eq!((&warning["rows"], &warning["value"], &warning["unit"]), (&json!([[0, 1]]), &json!(-0.5), &json!("1")));

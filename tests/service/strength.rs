@@ -15,10 +15,11 @@ fn reference() -> Value {
     serde_json::from_str(REFERENCE).expect("JSON")
 }
 
-/// A run on a soil that has nothing of the samples' own but the shear modulus.
+/// A run on a soil that has nothing of the samples' own but the shear modulus, with the displacement on the rim, as the reference has it.
 fn settings() -> Value {
     let reference = reference();
     json!({"wheel": reference["wheel"], "contact": reference["contact"], "method": "linearised",
+        "shear_displacement_radius": "rim",
         "soil": {"cohesion_pa": 10, "friction_angle_rad": 0.2, "shear_modulus_m": reference["shear_modulus_m"],
             "pressure_sinkage": {"law": "direct", "k_s": 1e6, "n0": 1}}})
 }

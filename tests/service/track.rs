@@ -148,9 +148,10 @@ fn measured_sinkage_load_and_torque_are_taken_where_they_are_given() {
     });
     let reply = post("/v1/track", &with(&columns(series), json!({"static_sinkage_m": null, "method": "linearised"}))).ok();
     for i in 0..2 {
-        let (slip, sinkage) = ([0.2, 0.3][i], [0.02, 0.025][i]);
-        let forces =
-            post("/v1/forces", &with(&letter(), json!({"slip": slip, "sinkage_m": sinkage, "method": "linearised"}))).ok();
+        let (slip, sinkage, load) = ([0.2, 0.3][i], [0.02, 0.025][i], [60, 70][i]);
+        // Both known: the load takes the place of the sinkage modulus.
+        let known = json!({"slip": slip, "sinkage_m": sinkage, "normal_load_n": load, "method": "linearised"});
+        let forces = post("/v1/forces", &with(&letter(), known)).ok();
         assert_eq!(reply["columns"]["longitudinal_force_n"][i], forces["longitudinal_force_n"]);
         // F_x = (A/H + B²/(A H)) T/r_s − (B/A) W (Ding), with A, B, H of Eq. (12) at the midpoint rule: θm = θ1/2 gives
         // A = 2 (1 − cos(θ1/2))·2 sin(θ1/2)/θ1 …, here by plain quadrature of the triangle instead.
@@ -287,7 +288,6 @@ fn columns_that_do_not_go_together_are_refused_in_every_form() {
         (vec!["time_s", "slip", "forward_velocity_m_s"], settings(), "/columns/slip"),
         (vec!["time_s", "forward_velocity_m_s"], settings(), "/columns/angular_velocity_rad_s"),
         (vec!["time_s", "slip"], with(&settings(), json!({"static_sinkage_m": null})), "/static_sinkage_m"),
-        (vec!["time_s", "slip", "normal_load_n"], settings(), "/static_sinkage_m"),
         (
             vec!["time_s", "slip", "normal_load_n"],
             with(&settings(), json!({"static_sinkage_m": null, "normal_load_n": 80})),

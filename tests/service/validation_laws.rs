@@ -75,7 +75,8 @@ fn a_locked_wheel_with_two_zones_does_not_carry_its_load() {
     }
 }
 
-/// The second law halves the error of the pull where the first errs most, and digs deeper on both wheels than was measured.
+/// The second law halves the error of the pull where the first errs most, and digs deeper than was measured: the smooth wheel by 1.3
+/// times and more, the grousered one less surely, as its authors tuned its soil with the displacement on another circle.
 #[test]
 fn two_zones_meet_the_pull_and_exaggerate_the_sinkage() {
     let of = |id: &str, series: &str, error: &str| {
@@ -84,12 +85,12 @@ fn two_zones_meet_the_pull_and_exaggerate_the_sinkage() {
     };
     let smooth = |series| of("cmu-smooth-braking", series, "drawbar_rmse_over_load");
     assert!(smooth("quadrature_two_zone") < 0.5 * smooth("quadrature"));
-    for id in ["cmu-smooth-braking", "cmu-grousered-braking"] {
+    for (id, factor) in [("cmu-smooth-braking", 1.3), ("cmu-grousered-braking", 1.0)] {
         assert!(of(id, "quadrature_two_zone", "sinkage_rmse_m") > of(id, "quadrature", "sinkage_rmse_m"));
         let set = set(id);
         let sinkages = predicted(&set, "quadrature_two_zone", "sinkage_m").into_iter().zip(measured(&set, "sinkage_m"));
         for (predicted, measured) in sinkages.filter_map(|(predicted, measured)| predicted.zip(measured)) {
-            assert!(predicted > 1.3 * measured, "{id}: {predicted}, {measured}");
+            assert!(predicted > factor * measured, "{id}: {predicted}, {measured}");
         }
     }
 }

@@ -41,7 +41,7 @@ fn slip_beyond_the_fit_is_warned_of_where_a_slip_gain_is_used() {
     assert_eq!(warned_of(json!({"slip": 0.61, "soil": gain})), ["slip_beyond_fit"]);
     assert!(warned_of(json!({"slip": 0.61})).is_empty());
     let from_static = json!({"slip": 0.7, "sinkage_m": null, "static_sinkage_m": 0.01});
-    assert_eq!(warned_of(from_static), ["slip_beyond_fit"]);
+    assert_eq!(warned_of(from_static), ["slip_beyond_fit", "normal_force_drifts"]);
 }
 
 /// Which tests stand behind a range depends on the law that is left.
@@ -76,7 +76,7 @@ fn gains_applied_to_a_braking_wheel_are_warned_of() {
     let with_skid_gain = json!({"pressure_sinkage": {"n1": 0.3, "n2": 0.2}});
     assert!(warned_of(json!({"slip": -0.2, "soil": with_skid_gain})).is_empty());
     let from_static = json!({"slip": -0.2, "sinkage_m": null, "static_sinkage_m": 0.01});
-    assert_eq!(warned_of(from_static), ["slip_sinkage_extrapolated"]);
+    assert_eq!(warned_of(from_static), ["slip_sinkage_extrapolated", "normal_force_drifts"]);
     assert!(warned_of(json!({"slip": 0.2, "soil": gain})).is_empty());
 }
 

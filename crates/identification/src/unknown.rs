@@ -7,8 +7,8 @@ mod table;
 use std::fmt;
 
 use terramechanics::{
-    Bekker, Direct, Fittable, JanosiHanamoto, Lambda, Law, Method, Parameter, SinkageExponent, Soil, SoilParams, Tolerance,
-    WheelOnSoil, WongReece,
+    Bekker, Direct, Fittable, Interface, JanosiHanamoto, Lambda, Law, Method, Parameter, SinkageExponent, Soil, SoilParams,
+    Tolerance, WheelOnSoil, WongReece,
 };
 
 pub use range::Range;
@@ -54,6 +54,10 @@ impl Unknown {
     pub const PEAK_INTERCEPT: Self = Self::of(&WongReece::C1);
     /// c2 of Wong & Reece's rule (–).
     pub const PEAK_SLIP_GAIN: Self = Self::of(&WongReece::C2);
+    /// Friction angle δ between rim and soil (rad).
+    pub const INTERFACE_FRICTION_ANGLE: Self = Self::of(&Interface::FITTABLE[0].parameter);
+    /// Adhesion c_a between rim and soil (Pa).
+    pub const INTERFACE_ADHESION: Self = Self::of(&Interface::FITTABLE[1].parameter);
     /// λ_A of the explicit method (–).
     pub const LAMBDA_A: Self = Self::of(&Lambda::A);
     /// λ_B of the explicit method (–).
@@ -142,6 +146,7 @@ impl Unknown {
             Home::Shear => soil.shear.and_then(|law| self.of_law(law.law(), &law.values())),
             Home::PressureSinkage => soil.pressure_sinkage.and_then(|law| self.of_law(law.law(), &law.values())),
             Home::Rule => self.of_law(contact.rule.law(), &contact.rule.values()),
+            Home::Interface => contact.interface.and_then(|interface| interface.fitted(self.name())),
             Home::Method => match model.method {
                 Method::Explicit { lambda_a: Lambda::Given(value), .. } if self == Self::LAMBDA_A => Some(value),
                 Method::Explicit { lambda_b: Lambda::Given(value), .. } if self == Self::LAMBDA_B => Some(value),
@@ -178,6 +183,7 @@ impl Unknown {
                 let rule = contact.rule;
                 contact.rule = self.in_law(rule.law(), rule.values(), value).unwrap_or(rule);
             }
+            Home::Interface => contact.interface = contact.interface.map(|interface| interface.with_fitted(self.name(), value)),
             Home::Method => match &mut model.method {
                 Method::Explicit { lambda_a: Lambda::Given(place), .. } if self == Self::LAMBDA_A => *place = value,
                 Method::Explicit { lambda_b: Lambda::Given(place), .. } if self == Self::LAMBDA_B => *place = value,

@@ -9,6 +9,7 @@ use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
+use crate::assumption::{Assumption, Assumptions};
 use crate::hints::{Hints, shortened};
 
 /// One thing wrong with a request.
@@ -93,18 +94,35 @@ impl FieldFault {
 /// Faults that are kept of one request; the others are counted.
 const MOST_FAULTS: usize = 100;
 
-/// The faults of a request, and the words by which its reader tells what was meant.
+/// The faults of a request, what was assumed of it, and the words by which its reader tells what was meant.
 pub struct Faults {
     list: RefCell<Vec<FieldFault>>,
     more: Cell<usize>,
     hints: &'static Hints,
+    assumptions: Assumptions,
 }
 
 impl Faults {
     /// None so far.
     #[must_use]
     pub fn new(hints: &'static Hints) -> Self {
-        Self { list: RefCell::default(), more: Cell::new(0), hints }
+        Self { list: RefCell::default(), more: Cell::new(0), hints, assumptions: Assumptions::default() }
+    }
+
+    /// None so far of a part that is read by itself; it may be assumed of it what may be assumed of `place`.
+    #[must_use]
+    pub fn apart(place: &Scope<'_>) -> Self {
+        let faults = Self::new(place.hints());
+        if place.may_assume() {
+            faults.assumptions.allow();
+        }
+        faults
+    }
+
+    /// What was assumed; none where nothing may be.
+    #[must_use]
+    pub fn assumptions(&self) -> Option<Vec<Assumption>> {
+        self.assumptions.list()
     }
 
     /// The faults in the order in which they were found; those beyond what is kept are one fault of the whole.
@@ -176,6 +194,31 @@ impl<'a> Scope<'a> {
     /// Reports a fault whose pointer starts from this place.
     pub fn pass_on(&self, fault: FieldFault) {
         self.faults.push(|| FieldFault { pointer: self.pointer() + &fault.pointer, ..fault });
+    }
+
+    /// Lets values be assumed that were not sent.
+    pub fn allow_assumptions(&self) {
+        self.faults.assumptions.allow();
+    }
+
+    /// Whether values may be assumed that were not sent.
+    #[must_use]
+    pub fn may_assume(&self) -> bool {
+        self.faults.assumptions.are_allowed()
+    }
+
+    /// Keeps that this field was not sent and is taken to have a value.
+    pub fn assume(&self, value: f64, reason: &str) {
+        self.faults.assumptions.add(|| Assumption {
+            field: self.pointer().trim_start_matches('/').replace('/', "."),
+            value,
+            reason: reason.to_owned(),
+        });
+    }
+
+    /// Keeps what was assumed of a part that was read by itself.
+    pub fn assume_all(&self, assumptions: Vec<Assumption>) {
+        assumptions.into_iter().for_each(|assumption| self.faults.assumptions.add(|| assumption));
     }
 
     /// The words by which is told what was meant.

@@ -31,6 +31,7 @@
 //!
 //! Nothing that is sent can make it panic, and all it keeps is bounded: the depth of the tree, its fields, the faults.
 
+mod assumption;
 mod fault;
 mod field;
 mod hints;
@@ -47,6 +48,7 @@ mod syntax;
 mod tagged;
 mod word;
 
+pub use assumption::Assumption;
 pub use fault::{Faults, FieldFault, Figures, Scope, unknown_word};
 pub use field::{Components, Declared, Field, Group, Kind, group};
 pub use hints::{Hints, OtherUnit, shortened};
@@ -54,7 +56,7 @@ pub use json::{MOST_NODES, Unread, json};
 pub use list::{Bounds, Items, Numbers, Objects, Words};
 pub use node::{Fields, Item, List, Node};
 pub use number::{Number, in_millimetres};
-pub use object::{Object, Unknown, collected, read};
+pub use object::{Object, Unknown, collected, read, read_assuming};
 pub use one_of::{Alternative, Either, OneOf};
 pub use query::{Query, TooManyParameters};
 pub use reader::{Defaulting, Reader};

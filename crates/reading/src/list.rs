@@ -147,8 +147,8 @@ pub struct Words<T: 'static> {
     pub word: Word<T>,
     /// Most words taken.
     pub most: usize,
-    /// Whether a list that is left out names all the words.
-    pub all_unless_given: bool,
+    /// How many of the words, from the first, a list names that is left out; with 0 it has no default.
+    pub first_unless_given: usize,
 }
 
 /// The word that an item of a list is, else what it is.
@@ -203,7 +203,7 @@ impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
             .min_items(Some(1))
             .max_items(Some(self.most))
             .unique_items(true)
-            .default(self.all_unless_given.then(|| self.word.names().into()))
+            .default((self.first_unless_given > 0).then(|| self.word.names().into_iter().take(self.first_unless_given).collect()))
             .into()
     }
 
@@ -217,7 +217,8 @@ impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Words<T> {
     fn default(&self) -> Option<Vec<T>> {
-        self.all_unless_given.then(|| self.word.words.iter().map(|(_, value)| *value).collect())
+        let first = self.word.words.iter().take(self.first_unless_given).map(|(_, value)| *value);
+        (self.first_unless_given > 0).then(|| first.collect())
     }
 }
 

@@ -4,6 +4,7 @@ use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{AdditionalProperties, ObjectBuilder, Ref};
 use utoipa::openapi::{RefOr, Schema};
 
+use crate::assumption::Assumption;
 use crate::fault::{Faults, FieldFault, Scope};
 use crate::field::{Components, Declared, Field, Group, Kind, wrong_type};
 use crate::hints::{Hints, shortened};
@@ -229,13 +230,30 @@ pub fn read<T>(
     hints: &'static Hints,
     check: impl FnOnce(&Reader<'_>) -> Option<T>,
 ) -> Result<T, Vec<FieldFault>> {
-    collected(hints, |root| match node {
-        Node::Object(fields) => check(&object.open(fields, *root, Unknown::Refused)),
+    read_assuming(node, object, hints, check).map(|(value, _)| value)
+}
+
+/// The same, with what was assumed; no list where `check` allowed nothing to be.
+///
+/// # Errors
+/// The faults.
+pub fn read_assuming<T>(
+    node: &Node<'_>,
+    object: &Object,
+    hints: &'static Hints,
+    check: impl FnOnce(&Reader<'_>) -> Option<T>,
+) -> Result<(T, Option<Vec<Assumption>>), Vec<FieldFault>> {
+    let faults = Faults::new(hints);
+    let root = Scope::root(&faults);
+    let checked = match node {
+        Node::Object(fields) => check(&object.open(fields, root, Unknown::Refused)),
         other => {
             root.fault(format_args!("the body must be a JSON object, not {}", other.in_words()));
             None
         }
-    })
+    };
+    let assumed = faults.assumptions();
+    sound(checked, faults).map(|checked| (checked, assumed))
 }
 
 /// What `check` makes of a request, or all the faults that it reports.
@@ -245,6 +263,11 @@ pub fn read<T>(
 pub fn collected<T>(hints: &'static Hints, check: impl FnOnce(&Scope<'_>) -> Option<T>) -> Result<T, Vec<FieldFault>> {
     let faults = Faults::new(hints);
     let checked = check(&Scope::root(&faults));
+    sound(checked, faults)
+}
+
+/// What was checked, if nothing is wrong.
+fn sound<T>(checked: Option<T>, faults: Faults) -> Result<T, Vec<FieldFault>> {
     let faults = faults.into_list();
     match checked {
         Some(checked) if faults.is_empty() => Ok(checked),

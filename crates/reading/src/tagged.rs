@@ -8,7 +8,7 @@ use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::Scope;
 use crate::fault::unknown_word;
-use crate::field::{Components, Field, Kind, parameter, wrong_type};
+use crate::field::{Components, Field, Group, Kind, parameter, wrong_type};
 use crate::node::{Fields, Node, is_same};
 use crate::number::Number;
 use crate::object::{Unknown, parameters_within, reference, report_oddities};
@@ -16,7 +16,7 @@ use crate::reader::Reader;
 use crate::word::words;
 
 /// An object with one form for each word of its tag.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Tagged {
     /// Its name in the contract.
     pub name: &'static str,
@@ -30,6 +30,14 @@ pub struct Tagged {
     pub suffix: &'static str,
     /// The forms.
     pub variants: fn() -> &'static [Variant],
+    /// Fields that any form may have beside its parameters; they are read by [`Reader::within`].
+    pub also: Group,
+}
+
+impl std::fmt::Debug for Tagged {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Tagged").field("name", &self.name).finish_non_exhaustive()
+    }
 }
 
 /// One form of a tagged object.
@@ -67,7 +75,8 @@ impl Tagged {
 
     /// The tag and the parameters of all forms, each once.
     fn all_names(&self) -> Vec<&'static str> {
-        std::iter::once(self.tag).chain(self.shared().into_iter().map(|shared| shared.name)).collect()
+        let also = self.also.iter().map(|field| field.name());
+        std::iter::once(self.tag).chain(self.shared().into_iter().map(|shared| shared.name)).chain(also).collect()
     }
 
     /// The parameters of all forms, each once, with the meanings and bounds of all that have it.
@@ -102,13 +111,21 @@ impl Tagged {
             return Some(self.tag);
         }
         let mut names = (self.variants)().iter().flat_map(|variant| variant.fields.iter().map(|field| field.name));
-        names.find(|known| is_same(known, name))
+        names.find(|known| is_same(known, name)).or_else(|| self.knows_beside(name))
+    }
+
+    /// The name among those of the fields that any form may have.
+    fn knows_beside(&self, name: &str) -> Option<&'static str> {
+        self.also.iter().map(|field| field.name()).find(|known| is_same(known, name))
     }
 
     /// Reads the object; where a parameter is absent `otherwise` may have it, by its name.
     pub(crate) fn read_with(&self, node: &Node<'_>, place: Scope<'_>, otherwise: &dyn Fn(&str) -> Option<f64>) -> Option<Chosen> {
         let Node::Object(fields) = node else { return wrong_type(&place, "an object", node) };
-        let hint = |name: &str| place.hints().unknown_field(name, &self.all_names(), &[]);
+        let hint = |name: &str| {
+            let within: Vec<_> = self.also.iter().map(|field| (field.name(), field.names_within())).collect();
+            place.hints().unknown_field(name, &self.all_names(), &within)
+        };
         let reader = Reader::new(fields, place);
         // Most names are those of the form that is chosen.
         let own: &[Field<Number>] = self.form_of(fields).map_or(&[], |variant| &variant.fields);
@@ -116,7 +133,7 @@ impl Tagged {
         let known = |name: &str| match own.iter().find(|field| is_same(field.name, name)) {
             Some(field) => Some(field.name),
             None => {
-                is_foreign |= name != self.tag;
+                is_foreign |= name != self.tag && self.knows_beside(name).is_none();
                 self.knows(name)
             }
         };
@@ -137,8 +154,23 @@ impl Tagged {
             is_sound &= value.is_some();
             values.push(value.flatten());
         }
-        is_sound &= !is_foreign || report_foreign(fields, &place, variant, self.tag);
+        is_sound &= !is_foreign || self.report_foreign(fields, &place, variant);
         is_sound.then_some(Chosen { index, values })
+    }
+
+    /// Reports the parameters that only other forms have; false where there are any.
+    fn report_foreign(&self, fields: &Fields<'_>, place: &Scope<'_>, variant: &Variant) -> bool {
+        let is_parameter = |name: &str| variant.fields.iter().any(|field| is_same(field.name, name));
+        let is_own = |name: &str| name == self.tag || is_parameter(name) || self.knows_beside(name).is_some();
+        let mut only_own = true;
+        for (name, _) in fields.iter().filter(|(name, node)| !matches!(node, Node::Null) && !is_own(name)) {
+            let also = self.also.iter().map(|field| field.name());
+            let takes: Vec<&str> = variant.fields.iter().map(|field| field.name).chain(also).collect();
+            let takes = if takes.is_empty() { "no further field".to_owned() } else { takes.join(", ") };
+            only_own = false;
+            place.fault_of(&crate::shortened(name), format_args!("`{}` has no such field; it takes {takes}", variant.name));
+        }
+        only_own
     }
 
     /// The schema of one form.
@@ -153,6 +185,9 @@ impl Tagged {
             if field.required {
                 object = object.required(field.name);
             }
+        }
+        for field in self.also {
+            object = object.property(field.name(), field.schema());
         }
         object.into()
     }
@@ -180,6 +215,7 @@ impl Tagged {
     /// Adds the named schemas of its forms.
     pub fn components(&self, found: &mut Components) {
         found.extend((self.variants)().iter().map(|variant| (self.form_name(variant), self.form(variant))));
+        self.also.iter().for_each(|field| field.components(found));
     }
 }
 
@@ -189,19 +225,6 @@ fn value(reader: &Reader<'_>, field: &Field<Number>, otherwise: &dyn Fn(&str) ->
         None if field.required => reader.required(field).map(Some),
         value => Some(value),
     }
-}
-
-/// Reports the parameters that only other forms have; false where there are any.
-fn report_foreign(fields: &Fields<'_>, place: &Scope<'_>, variant: &Variant, tag: &str) -> bool {
-    let is_own = |name: &str| name == tag || variant.fields.iter().any(|field| is_same(field.name, name));
-    let mut only_own = true;
-    for (name, _) in fields.iter().filter(|(name, node)| !matches!(node, Node::Null) && !is_own(name)) {
-        let takes: Vec<&str> = variant.fields.iter().map(|field| field.name).collect();
-        let takes = if takes.is_empty() { "no further field".to_owned() } else { takes.join(", ") };
-        only_own = false;
-        place.fault_of(&crate::shortened(name), format_args!("`{}` has no such field; it takes {takes}", variant.name));
-    }
-    only_own
 }
 
 /// The word that tells the form.
@@ -250,6 +273,7 @@ impl Kind for &'static Tagged {
             for Shared { name, meaning, number } in self.shared() {
                 found.push(parameter(&format!("{around}{name}"), &meaning, number.schema(&meaning)));
             }
+            self.also.iter().for_each(|field| field.parameters(around, found));
         });
     }
 
@@ -265,6 +289,15 @@ impl Reader<'_> {
         match self.raw(field) {
             Some((node, place)) => field.kind.read_with(node, place, otherwise).map(Some),
             None => Some(None),
+        }
+    }
+
+    /// The tagged object that was sent, for the fields that any of its forms may have; its names are checked where it is read.
+    #[must_use]
+    pub fn within<'r>(&'r self, field: &Field<&'static Tagged>) -> Option<Reader<'r>> {
+        match self.raw(field)? {
+            (Node::Object(fields), place) => Some(Reader::new(fields, place)),
+            _ => None,
         }
     }
 }

@@ -3,9 +3,9 @@
 use divan::{Bencher, black_box};
 use terramechanics::{
     Bekker, Circles, Contact, ForceModel, JanosiHanamoto, KnownSinkage, Measured, Method, NormalStressRadius, Operation,
-    PeakDepth, PressureSinkage, Sample, SampleMotion, ShapeIntegrals, ShearLaw, Sinkage, SinkageExponent, Slip, SlipRadius,
-    SlipSinkage, SlipSweep, Soil, SoilParams, StressProfile, Thresholds, Tracker, Velocities, Wheel, WheelOnSoil, WheelParams,
-    pull_from_torque,
+    PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals, ShearLaw, Sinkage, SinkageExponent, Slip, SlipRadius,
+    SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds, Tracker, Unloading, Vehicle, VehicleParams,
+    Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
 };
 
 fn main() {
@@ -178,4 +178,37 @@ fn track(bencher: Bencher<'_, '_>, method: &str, sinkage: Sinkage) {
             black_box(tracker.push(black_box(sample)));
         }
     });
+}
+
+/// The slip that gives a pull, under a load.
+#[divan::bench(args = METHODS)]
+fn solved_slip(bencher: Bencher<'_, '_>, method: &str) {
+    let operation = operation(method, Sinkage::CarryingLoad(80.0));
+    bencher.bench_local(|| black_box(&operation).solve_slip(black_box(Pull::Force(12.0))));
+}
+
+/// A rover of four wheels: alike, or each of its own, or in the ruts of those before.
+fn rover(kind: &str) -> Vehicle {
+    let station = |position, count| Station { position, count, system: system() };
+    let stations = match kind {
+        "alike" => vec![station(None, 4)],
+        _ => [0.4, 0.4, -0.4, -0.4].map(|x| station(Some(x), 1)).to_vec(),
+    };
+    let unloading = (kind == "in ruts").then_some(Unloading::MEASURED);
+    let model = model("quadrature");
+    Vehicle::new(VehicleParams { mass: 40.0, gravity: 9.81, stations, centre_of_mass: None, model, unloading }).expect("a rover")
+}
+
+const ROVERS: [&str; 3] = ["alike", "stations", "in ruts"];
+
+#[divan::bench(args = ROVERS)]
+fn vehicle_on_slope(bencher: Bencher<'_, '_>, kind: &str) {
+    let rover = rover(kind);
+    bencher.bench_local(|| black_box(&rover).on_slope(black_box(0.1), 0.0));
+}
+
+#[divan::bench(args = ROVERS)]
+fn vehicle_largest_slope(bencher: Bencher<'_, '_>, kind: &str) {
+    let rover = rover(kind);
+    bencher.bench_local(|| black_box(&rover).largest_slope(black_box(0.0), 0.6));
 }

@@ -18,7 +18,9 @@
 //! coefficients fitted to one test wheel, by which torque and pull vary with the load; they are left out. The forms above were
 //! derived from Eq. (11) for lugs and for both radii of the normal stress, and tests compare them with the linearised method.
 
+use crate::braking::Braking;
 use crate::caution::{Caution, DEEP_SINKAGE, NEGATIVE_NORMAL_STRESS, SLIP_BEYOND_COUPLED_TESTS};
+use crate::contact::Angles;
 use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
 use crate::motion::Heading;
@@ -84,6 +86,43 @@ impl Coupled {
         };
         let measured = Measured { torque, normal_load: self.normal_load };
         pull_from_torque(wheel, &ShapeIntegrals::of(&patch.angles), measured, self.normal_stress_radius)
+    }
+
+    /// The same of the wheel of `system` at a slip and a sinkage (m), with the angles of its contact. Where the torque was measured the
+    /// soil has no influence, save on the angles of a braking wheel with two zones.
+    ///
+    /// # Errors
+    /// [`Error::SinkageOutsideWheel`], [`Error::PeakOutsideContact`]; what [`Coupled::forces`] refuses; without a torque or with two
+    /// zones what [`WheelOnSoil::rolling_under_load`] and [`Rolling::contact`] refuse.
+    ///
+    /// ```
+    /// use terramechanics::*;
+    /// // Triangular stresses with σm = 9000 Pa in a contact of θ1 = 0.7 rad, as in `pull_from_torque`, on a soil that is nothing.
+    /// let system = WheelOnSoil {
+    ///     wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.0, lug_coefficient: 0.5 })?,
+    ///     soil: Soil::new(SoilParams::BARE)?,
+    ///     contact: Contact::MIDPOINT,
+    /// };
+    /// let radius = NormalStressRadius::Rim;
+    /// let known = Coupled { normal_load: 70.459026, torque: Some(7.0004767), normal_stress_radius: radius };
+    /// let (_, forces) = known.at(&system, Slip::new(0.3)?, 0.2 * (1.0 - 0.7_f64.cos()))?;
+    /// assert!((forces.longitudinal - 11.1630643).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn at(&self, system: &WheelOnSoil, slip: Slip, sinkage: f64) -> Result<(Angles, CoupledForces), Error> {
+        let WheelOnSoil { wheel, contact, .. } = system;
+        let Some(torque) = self.torque.filter(|_| contact.braking() == Braking::OneZone) else {
+            let rolling = system.rolling_under_load(slip)?;
+            let patch = rolling.contact(sinkage)?;
+            return Ok((patch.angles, self.forces(&patch)?));
+        };
+        let radius = wheel.radius();
+        if !(sinkage > 0.0 && sinkage <= radius) {
+            return Err(Error::SinkageOutsideWheel { sinkage, radius });
+        }
+        let angles = contact.angles(sinkage / radius, slip)?;
+        let measured = Measured { torque, normal_load: self.normal_load };
+        Ok((angles, pull_from_torque(wheel, &ShapeIntegrals::of(&angles), measured, self.normal_stress_radius)?))
     }
 
     fn torque_from_load(&self, patch: &ContactPatch<'_>, normal_radius: f64) -> Result<f64, Error> {

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use crate::digits::Digits;
 use crate::fault::Fault;
 use crate::parameter::Parameter;
+use crate::pull::{Nearest, Pull};
 
 /// Why valid parts, put together, have no answer.
 ///
@@ -77,6 +79,17 @@ pub enum Error {
         /// The torque there (N·m).
         torque: f64,
     },
+    /// No slip gives the pull that was asked for.
+    PullOutOfReach {
+        /// The pull asked for.
+        pull: Pull,
+        /// The pull that comes nearest, in the unit of the one asked for.
+        reached: f64,
+        /// The slip that gives it (–).
+        slip: f64,
+        /// How it lies to the pulls of all other slips.
+        nearest: Nearest,
+    },
     /// The soil does not carry the load at any sinkage up to the wheel's radius.
     LoadBeyondCapacity {
         /// The load asked for (N).
@@ -147,22 +160,6 @@ impl SoilLaw {
     }
 }
 
-/// A number in six digits: what a person reads; the value itself is in the error.
-pub(crate) struct Digits(pub(crate) f64);
-
-impl fmt::Display for Digits {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size = self.0.abs();
-        if size != 0.0 && !(1e-4..1e7).contains(&size) {
-            return write!(f, "{:.5e}", self.0);
-        }
-        // As many decimals as six digits leave, without zeros at the end.
-        let decimals = if size == 0.0 { 0 } else { (5.0 - size.log10().floor()).max(0.0) as usize };
-        let text = format!("{:.decimals$}", self.0);
-        f.write_str(if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text })
-    }
-}
-
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -222,6 +219,14 @@ impl fmt::Display for Error {
                 Digits(slip),
                 Digits(torque)
             ),
+            Self::PullOutOfReach { pull, reached, slip, nearest } => {
+                let (asked, unit) = match pull {
+                    Pull::Force(force) => (force, " N"),
+                    Pull::Coefficient(coefficient) => (coefficient, " of the normal force"),
+                };
+                let (asked, reached, slip) = (Digits(asked), Digits(reached), Digits(slip));
+                write!(f, "no slip gives a pull of {asked}{unit}: {} is {reached}{unit}, at a slip of {slip}", nearest.in_words())
+            }
             Self::LoadBeyondCapacity { load, largest, sinkage } => write!(
                 f,
                 "the soil does not carry {} N: the largest load it carries is {} N, at a sinkage of {} m",
@@ -264,23 +269,3 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_written_in_six_digits() {
-        for (value, text) in [
-            (0.190_625_000_000_000_02, "0.190625"),
-            (-1234.5678, "-1234.57"),
-            (0.2, "0.2"),
-            (1_000_000.0, "1000000"),
-            (0.0, "0"),
-            (1e-9, "1.00000e-9"),
-            (2.5e12, "2.50000e12"),
-        ] {
-            assert_eq!(Digits(value).to_string(), text);
-        }
-    }
-}

@@ -18,7 +18,7 @@ impl Soil {
         name: "gravity_m_s2",
         symbol: "g",
         unit: "m/s2",
-        meaning: "Gravity in which the values of the soil hold; the Earth's where a weight follows from a density and none is given.",
+        meaning: "Gravity, in which the values of the soil hold; the Earth's where a weight follows from a density and none is given.",
         requirement: Requirement::Positive,
         least: 1e-6,
         most: 1e3,

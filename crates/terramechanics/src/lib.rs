@@ -14,7 +14,7 @@
 //! [`ForceModel::forces_under`]. A wheel with lugs has three circles, and [`Circles`] say on which of them displacement and slip are
 //! counted.
 //!
-//! Beside that way: [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
+//! Beside that way: [`Operation::solve_slip`] finds the slip that gives a pull, [`Vehicle`] a rover on a slope, [`WheelOnSoil::solve_towed`] finds the slip and the sinkage of a wheel that is towed and rolls freely,
 //! [`Coupled`] finds torque and pull from a load that is measured, [`pull_from_torque()`] the pull from load and torque without a soil,
 //! [`Resistances`] are the classical estimates for a load, and a [`Tracker`] follows a wheel over time, one [`Sample`] after another.
 //!
@@ -29,6 +29,7 @@ mod caution;
 mod circles;
 mod contact;
 mod coupled;
+mod digits;
 mod errata;
 mod error;
 mod events;
@@ -48,6 +49,7 @@ mod parameter;
 mod patch;
 mod pressure_sinkage;
 mod profile;
+mod pull;
 mod pull_from_torque;
 mod resistances;
 mod resistive_force;
@@ -56,14 +58,17 @@ mod rim;
 mod rolling;
 mod shear;
 mod slip;
+mod slip_search;
 mod slip_sinkage;
 mod soil;
+mod solved_slip;
 mod sources;
 mod strength;
 mod stress;
 mod sweep;
 mod towed;
 mod track;
+mod vehicle;
 mod wheel;
 mod zones;
 
@@ -92,6 +97,7 @@ pub use parameter::{Parameter, Parametrised, Presence, Requirement};
 pub use patch::ContactPatch;
 pub use pressure_sinkage::*;
 pub use profile::StressProfile;
+pub use pull::{Nearest, Pull};
 pub use pull_from_torque::{CoupledForces, pull_from_torque, torque_against_slip};
 pub use resistances::{Lacking, Resistances};
 pub use rolling::{Rolling, WheelOnSoil};
@@ -99,9 +105,14 @@ pub use shear::*;
 pub use slip::Slip;
 pub use slip_sinkage::*;
 pub use soil::{Soil, SoilParams};
+pub use solved_slip::SolvedSlip;
 pub use sources::{Citation, LETTER, SOURCES, Source};
 pub use stress::{StressField, Stresses};
 pub use sweep::{SlipSweep, SweepRow};
 pub use towed::Towed;
 pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
+pub use vehicle::{
+    CentreOfMass, Driven, LargestSlope, OnSlope, SlopeLimit, Station, Unloading, Vehicle, VehicleError, VehicleParams,
+    VehicleWheel,
+};
 pub use wheel::{Wheel, WheelParams};

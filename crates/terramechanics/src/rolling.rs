@@ -124,7 +124,7 @@ impl WheelOnSoil {
     ///
     /// # Errors
     /// What [`WheelOnSoil::rolling`] refuses but for the modulus.
-    pub(crate) fn rolling_under_load(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
+    pub fn rolling_under_load(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
         let curve = match self.soil.pressure_sinkage() {
             Some(law) => Some(law.shape(slip)?),
             None => None,

@@ -166,6 +166,13 @@ impl Soil {
         self.measured_gravity
     }
 
+    /// The same soil, marked as one whose values were measured in `gravity` (m/s²), wherever it lies now. No weight changes with
+    /// it; moduli that are used in another gravity carry a [`crate::Caution`].
+    #[must_use]
+    pub fn measured_in(self, gravity: f64) -> Self {
+        Self { measured_gravity: Some(gravity), ..self }
+    }
+
     /// The same soil with what is remembered of another's measurement.
     pub(crate) fn marked_as(self, other: &Self) -> Self {
         let Self { measured_gravity, largest_fitted_slip, .. } = *other;

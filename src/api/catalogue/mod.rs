@@ -17,6 +17,7 @@ use crate::contract::Example;
 use crate::extract::{Asked, Format, FormatParameter, NoQuery};
 use crate::name::Name;
 use crate::problem::Problem;
+use crate::request::Accepted;
 use crate::words::nearest;
 use request::{SoilsCase, SoilsQuery, WheelsCase, WheelsQuery};
 
@@ -36,7 +37,8 @@ struct SoilsReply {
 
 /// The wheels of the catalogue
 ///
-/// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add, `assumed` what it may.
+/// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add,
+/// `assumed` what `"assume": true` takes in its place.
 /// With `Accept: text/csv` the values come as a table, one row per wheel.
 #[utoipa::path(
     get,
@@ -45,7 +47,7 @@ struct SoilsReply {
     params(WheelsQuery, FormatParameter),
     responses((status = 200, description = "The wheels", content((WheelsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn wheels(Asked { query: WheelsCase(kind), format }: Asked<WheelsCase>) -> Response {
+pub(crate) async fn wheels(Asked { query: Accepted { case: WheelsCase(kind), .. }, format }: Asked<WheelsCase>) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::wheel_kinds(), |kind| {
             let records = || catalogue::wheels().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
@@ -58,8 +60,8 @@ pub(crate) async fn wheels(Asked { query: WheelsCase(kind), format }: Asked<Whee
 
 /// The soils of the catalogue
 ///
-/// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add. With
-/// `Accept: text/csv` the values come as a table, one row per soil.
+/// Every value with its source; `id` is the name for `preset`; `missing` lists what a request has to add,
+/// `assumed` what `"assume": true` takes in its place. With `Accept: text/csv` the values come as a table, one row per soil.
 #[utoipa::path(
     get,
     path = "/v1/soils",
@@ -67,7 +69,7 @@ pub(crate) async fn wheels(Asked { query: WheelsCase(kind), format }: Asked<Whee
     params(SoilsQuery, FormatParameter),
     responses((status = 200, description = "The soils", content((SoilsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn soils(Asked { query: SoilsCase(kind), format }: Asked<SoilsCase>) -> Response {
+pub(crate) async fn soils(Asked { query: Accepted { case: SoilsCase(kind), .. }, format }: Asked<SoilsCase>) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::soil_kinds(), |kind| {
             let records = || catalogue::soils().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
@@ -110,7 +112,8 @@ fn text<T: Serialize>(list: &T) -> Bytes {
 
 /// One wheel of the catalogue
 ///
-/// Every value with its source; `missing` lists what a request has to add, `assumed` what it may.
+/// Every value with its source; `missing` lists what a request has to add,
+/// `assumed` what `"assume": true` takes in its place.
 #[utoipa::path(
     get,
     path = "/v1/wheels/{id}",
@@ -125,7 +128,7 @@ pub(crate) async fn wheel(Name(id): Name, _: NoQuery) -> Result<Response, Proble
 
 /// One soil of the catalogue
 ///
-/// Every value with its source; `missing` lists what a request has to add.
+/// Every value with its source; `missing` lists what a request has to add, `assumed` what `"assume": true` takes in its place.
 #[utoipa::path(
     get,
     path = "/v1/soils/{id}",

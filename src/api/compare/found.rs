@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use terramechanics::{Operation, Slip};
+use terramechanics::{Circles, NormalStressFrom, Operation, Slip};
 
 use super::difference::{Difference, Spread};
 use super::request::{CompareCase, Variation};
@@ -26,6 +26,8 @@ pub(super) struct FoundSeries {
     /// Name of the variant; none of the request as it stands.
     pub(super) variant: Option<String>,
     pub(super) method: &'static str,
+    pub(super) circles: Circles,
+    pub(super) normal_stress_from: NormalStressFrom,
     pub(super) columns: PointColumns,
     /// By column: the difference from the first series.
     pub(super) difference: BTreeMap<&'static str, Difference>,
@@ -41,7 +43,7 @@ pub(super) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pa
     // Only the columns of a sweep are kept: they are smaller than its points.
     let columns_of = |operation: Operation| {
         let FoundSweep { operation, sweep, warnings } = sweep(&SweepCase { operation, slips: slips.clone() }, pace)?;
-        Ok::<_, Stop>((PointColumns::of(&sweep, &operation.system.wheel, false), warnings))
+        Ok::<_, Stop>((PointColumns::of(&sweep, &operation.system, false), warnings))
     };
     let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
     let mut series: Vec<FoundSeries> = Vec::new();
@@ -51,16 +53,24 @@ pub(super) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pa
             let (columns, warnings) = columns_of(operation)?;
             let method = method_name(&operation.model.method);
             told.push((variant.as_ref().map_or_else(|| method.to_owned(), |variant| format!("{variant}, {method}")), warnings));
-            found.push((method, columns));
+            found.push((method, operation, columns));
         }
         let beside = case.quadrature_beside().map(columns_of).transpose()?.map(|(columns, _)| columns);
-        let among = found.iter().find(|(method, _)| *method == "quadrature").map(|(_, columns)| columns);
+        let among = found.iter().find(|(method, ..)| *method == "quadrature").map(|(.., columns)| columns);
         let quadrature = among.or(beside.as_ref());
         let gap = |columns| quadrature.map(|quadrature| differences(columns, quadrature)).unwrap_or_default();
-        let gaps: Vec<_> = found.iter().map(|(_, columns)| gap(columns)).collect();
-        for ((method, columns), gap_to_quadrature) in found.into_iter().zip(gaps) {
+        let gaps: Vec<_> = found.iter().map(|(.., columns)| gap(columns)).collect();
+        for ((method, operation, columns), gap_to_quadrature) in found.into_iter().zip(gaps) {
             let difference = differences(&columns, series.first().map_or(&columns, |first| &first.columns));
-            series.push(FoundSeries { variant: variant.clone(), method, columns, difference, gap_to_quadrature });
+            series.push(FoundSeries {
+                variant: variant.clone(),
+                method,
+                circles: operation.system.contact.circles(),
+                normal_stress_from: operation.sinkage.normal_stress_from(),
+                columns,
+                difference,
+                gap_to_quadrature,
+            });
         }
     }
     Ok(FoundComparison { slips: slips.clone(), spread: spread(&series), series, warnings: gathered(told) })

@@ -10,6 +10,7 @@ use super::difference::{Difference, Spread};
 use super::found::{FoundComparison, FoundSeries};
 use crate::quantity::{PointColumns, Values};
 use crate::reply::Reply;
+use crate::request::circles::words;
 use crate::warning::Warning;
 
 /// Forces over slip by several methods and laws, how far each is from the first and from the integral, and the spread of all.
@@ -33,6 +34,15 @@ struct Series {
     /// Name of the variant; null for the request as it stands.
     variant: Option<String>,
     method: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim.
+    #[schema(example = "shearing")]
+    shear_displacement_radius: &'static str,
+    /// Circle on which the slip was counted: rim, shearing or lug_tip.
+    #[schema(example = "rim")]
+    slip_radius: &'static str,
+    /// What the normal stress follows from: the pressure–sinkage law of the soil, or the load, which was known beside the sinkage.
+    #[schema(example = "soil")]
+    normal_stress_from: &'static str,
     columns: PointColumns,
     /// By column: the difference from the first series, in the column's unit.
     difference: BTreeMap<&'static str, Difference>,
@@ -41,8 +51,20 @@ struct Series {
 }
 
 impl From<FoundSeries> for Series {
-    fn from(FoundSeries { variant, method, columns, difference, gap_to_quadrature }: FoundSeries) -> Self {
-        Self { variant, method, columns, difference, gap_to_quadrature }
+    fn from(
+        FoundSeries { variant, method, circles, normal_stress_from, columns, difference, gap_to_quadrature }: FoundSeries,
+    ) -> Self {
+        let (shear_displacement_radius, slip_radius) = words(circles);
+        Self {
+            variant,
+            method,
+            shear_displacement_radius,
+            slip_radius,
+            normal_stress_from: normal_stress_from.name(),
+            columns,
+            difference,
+            gap_to_quadrature,
+        }
     }
 }
 
@@ -67,5 +89,9 @@ impl Reply for CompareReply {
 
     fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
     }
 }

@@ -1,6 +1,6 @@
 //! Torque and pull from a load that is measured.
 
-use terramechanics::{Angles, CoupledForces, Sinkage, Slip};
+use terramechanics::{Angles, Circles, CoupledForces, Sinkage, Slip};
 
 use super::request::CoupledCase;
 use crate::problem::Problem;
@@ -10,6 +10,7 @@ use crate::warning::{Warning, of_point};
 pub(crate) struct FoundCoupled {
     pub(crate) slip: Slip,
     pub(crate) sinkage: f64,
+    pub(crate) circles: Circles,
     pub(crate) angles: Angles,
     /// In the heading of the wheel.
     pub(crate) forces: CoupledForces,
@@ -23,9 +24,9 @@ pub(crate) struct FoundCoupled {
 pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
     let CoupledCase { system, motion, sinkage, known } = case;
     let refused = |error| Problem::refused(&error, &Sinkage::Given(*sinkage));
-    let rolling = system.rolling(motion.slip).map_err(refused)?;
-    let patch = rolling.contact(*sinkage).map_err(refused)?;
-    let forces = known.forces(&patch).map_err(refused)?.heading(motion.heading);
+    let (angles, forces) = known.at(system, motion.slip, *sinkage).map_err(refused)?;
+    let forces = forces.heading(motion.heading);
+    let circles = system.contact.circles();
     let warnings = of_point(forces.cautions(system, motion.slip, *sinkage), system, motion.heading);
-    Ok(FoundCoupled { slip: motion.slip, sinkage: *sinkage, angles: patch.angles, forces, warnings })
+    Ok(FoundCoupled { slip: motion.slip, sinkage: *sinkage, circles, angles, forces, warnings })
 }

@@ -7,6 +7,7 @@ use utoipa::ToSchema;
 
 use super::found::FoundCoupled;
 use crate::reply::{AnglesReply, Reply, one_row};
+use crate::request::circles::words;
 use crate::warning::Warning;
 
 /// Torque and longitudinal force that follow from what was measured.
@@ -17,6 +18,12 @@ pub(crate) struct CoupledReply {
     slip: f64,
     /// Sinkage z (m).
     sinkage_m: f64,
+    /// Circle on which the shear displacement was counted: shearing or rim.
+    #[schema(example = "shearing")]
+    shear_displacement_radius: &'static str,
+    /// Circle on which the slip was counted: rim, shearing or lug_tip.
+    #[schema(example = "rim")]
+    slip_radius: &'static str,
     angles: AnglesReply,
     /// Longitudinal force F_x, the drawbar pull (N).
     longitudinal_force_n: f64,
@@ -26,10 +33,13 @@ pub(crate) struct CoupledReply {
 }
 
 impl From<FoundCoupled> for CoupledReply {
-    fn from(FoundCoupled { slip, sinkage, angles, forces, warnings }: FoundCoupled) -> Self {
+    fn from(FoundCoupled { slip, sinkage, circles, angles, forces, warnings }: FoundCoupled) -> Self {
+        let (shear_displacement_radius, slip_radius) = words(circles);
         Self {
             slip: slip.ratio(),
             sinkage_m: sinkage,
+            shear_displacement_radius,
+            slip_radius,
             angles: angles.into(),
             longitudinal_force_n: forces.longitudinal,
             torque_n_m: forces.torque,
@@ -45,5 +55,9 @@ impl Reply for CoupledReply {
 
     fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
     }
 }

@@ -1,14 +1,16 @@
 //! The request of `/v1/coupled`.
 
-use terramechanics::{Braking, Coupled, Motion, WheelOnSoil};
+use terramechanics::{Braking, Coupled, Motion, Soil, SoilParams, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Reader};
 
+use crate::request::assume::ASSUME;
+use crate::request::circles::CIRCLES;
 use crate::request::laws::field;
 use crate::request::method::NORMAL_STRESS_RADIUS;
 use crate::request::motion::{self, MOTION};
 use crate::request::sinkage::{LOAD, SINKAGE_M, within_wheel};
-use crate::request::soil::Needs;
-use crate::request::system::{self, SYSTEM};
+use crate::request::soil::{FoundSoil, Needs};
+use crate::request::system::{self, CONTACT, SOIL, WHEEL};
 use crate::request::{Documented, Request};
 
 const SINKAGE: Field<Number> = Field { required: true, ..SINKAGE_M };
@@ -18,6 +20,9 @@ const TORQUE: Field<Number> = field(
     &WheelOnSoil::TORQUE,
     "Torque T about the axle (N·m), where it was measured, in the direction of the angular velocity; else it follows from the load.",
 );
+
+const OPTIONAL_SOIL: Field<&Object> =
+    Field { meaning: "The soil; not needed where the torque is given.", required: false, ..SOIL };
 
 /// What is measured, checked.
 pub(crate) struct CoupledCase {
@@ -33,13 +38,22 @@ pub(super) type CoupledRequest = Documented<CoupledCase>;
 impl Request for CoupledCase {
     const OBJECT: &'static Object = &Object {
         name: "CoupledRequest",
-        doc: "A wheel whose slip (`slip`, or both velocities), sinkage and load are measured, and maybe its torque. The soil's pressure–sinkage law cancels: it has no influence and may be left out.",
-        groups: &[SYSTEM, MOTION, &[&SINKAGE, &NORMAL_LOAD, &TORQUE, &NORMAL_STRESS_RADIUS]],
+        doc: "A wheel whose slip (`slip`, or both velocities), sinkage and load are measured, and maybe its torque. The soil's pressure–sinkage law cancels: it has no influence and may be left out. With the torque, no soil is needed at all, and what is sent of one has no influence on the numbers.",
+        groups: &[
+            &[&WHEEL, &OPTIONAL_SOIL, &CONTACT, &ASSUME],
+            CIRCLES,
+            MOTION,
+            &[&SINKAGE, &NORMAL_LOAD, &TORQUE, &NORMAL_STRESS_RADIUS],
+        ],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
-        let system = system::read(object, Needs { pressure_sinkage: false, ..Needs::ALL });
-        let motion = motion::read(object, system.wheel.as_ref());
+        let needs = Needs { pressure_sinkage: false, ..Needs::ALL };
+        // Of a measured torque and load the pull follows without a soil.
+        let is_bare = object.has(&TORQUE) && !object.has(&SOIL);
+        let bare = || Soil::new(SoilParams::BARE).ok().map(FoundSoil::bare);
+        let system = if is_bare { system::read_on(object, bare(), needs) } else { system::read(object, needs) };
+        let motion = motion::read(object, system.wheel.as_ref(), system.circles);
         let sinkage = object.required(&SINKAGE).and_then(|z| within_wheel(object, z, system.wheel.as_ref()));
         let normal_load = object.required(&NORMAL_LOAD);
         let torque = object.optional(&TORQUE);

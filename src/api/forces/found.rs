@@ -1,9 +1,10 @@
 //! One operating point.
 
-use terramechanics::{Motion, OperatingPoint, Operation, Outcome, cautions};
+use terramechanics::{Error, Motion, OperatingPoint, Operation, Outcome, SolvedSlip, cautions};
 
 use super::request::ForcesCase;
 use crate::problem::Problem;
+use crate::request::pull::SlipFrom;
 use crate::warning::{Warning, of_point};
 
 /// An operating point of a wheel that moves.
@@ -14,13 +15,29 @@ pub(crate) struct FoundForces {
     pub(crate) warnings: Vec<Warning>,
 }
 
+impl ForcesCase {
+    /// The operating point, and how the wheel moves there.
+    ///
+    /// # Errors
+    /// What the model refuses.
+    pub(crate) fn point(&self) -> Result<(Motion, OperatingPoint), Error> {
+        match self.slip {
+            SlipFrom::Motion(motion) => self.operation.at(motion.slip).map(|point| (motion, point)),
+            SlipFrom::Pull(pull) => {
+                self.operation.solve_slip(pull).map(|SolvedSlip { point, .. }| (Motion::forward(point.slip), point))
+            }
+        }
+    }
+}
+
 /// The forces at one operating point.
 ///
 /// # Errors
 /// What the model refuses.
-pub(crate) fn forces(&ForcesCase { operation, motion }: &ForcesCase) -> Result<FoundForces, Problem> {
-    let point = operation.at(motion.slip).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
-    let outcome = Outcome::from(&point);
+pub(crate) fn forces(case: &ForcesCase) -> Result<FoundForces, Problem> {
+    let operation = case.operation;
+    let (motion, point) = case.point().map_err(|error| Problem::refused(&error, &operation.sinkage))?;
+    let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
     let warnings = of_point(cautions(&operation, &outcome), &operation.system, motion.heading);
     Ok(FoundForces { operation, motion, point, warnings })
 }

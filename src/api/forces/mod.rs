@@ -13,6 +13,7 @@ use super::room::{Room, answer};
 use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
+use crate::request::pull::SlipFrom;
 use crate::state::Service;
 pub(crate) use reply::ForcesReply;
 pub(crate) use request::ForcesCase;
@@ -28,7 +29,10 @@ impl Room for ForcesCase {
     }
 
     fn cost(&self) -> Cost {
-        Cost::of_point(&self.operation)
+        match self.slip {
+            SlipFrom::Motion(_) => Cost::of_point(&self.operation),
+            SlipFrom::Pull(_) => Cost::of_solved_slip(&self.operation),
+        }
     }
 
     fn reply(&self, _: &Pace) -> Result<ForcesReply, Problem> {

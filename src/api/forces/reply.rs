@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
+use terramechanics::Circles;
 use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, Type};
 use utoipa::openapi::{Ref, RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
@@ -11,12 +12,15 @@ use utoipa::{PartialSchema, ToSchema};
 use super::found::FoundForces;
 use crate::quantity::{About, Field, OfPoint, Part, Point, PointValue, object_of, point_rows, with_fields};
 use crate::reply::{AnglesReply, Reply, method_name};
+use crate::request::circles::words;
 use crate::warning::Warning;
 
 /// Forces and torque on the wheel: the quantities of the point, each in its part of the object.
 #[derive(Debug)]
 pub(crate) struct ForcesReply {
     method: &'static str,
+    circles: Circles,
+    normal_stress_from: &'static str,
     angles: AnglesReply,
     quantities: Vec<(&'static About, Part)>,
     /// The value of each; NaN where it is undefined.
@@ -27,11 +31,19 @@ pub(crate) struct ForcesReply {
 impl From<FoundForces> for ForcesReply {
     fn from(found: FoundForces) -> Self {
         let FoundForces { operation, motion, point, warnings } = found;
-        let at = Point::of(&operation.system.wheel, motion, &point);
+        let at = Point::of(&operation.system, motion, &point);
         let is_there = |of: &OfPoint| at.forces.side.is_some() || !of.value.is_sideways();
         let rows = point_rows().filter(|(_, of)| is_there(of));
         let (quantities, values) = rows.map(|(about, of)| ((about, of.part), of.value.at(&at))).unzip();
-        Self { method: method_name(&operation.model.method), angles: point.angles.into(), quantities, values, warnings }
+        Self {
+            method: method_name(&operation.model.method),
+            circles: operation.system.contact.circles(),
+            normal_stress_from: point.normal_stress_from.name(),
+            angles: point.angles.into(),
+            quantities,
+            values,
+            warnings,
+        }
     }
 }
 
@@ -64,7 +76,11 @@ impl Serialize for ForcesReply {
                 }
             }
             if part == Part::Motion {
+                let (shear_displacement_radius, slip_radius) = words(self.circles);
                 map.serialize_entry("method", self.method)?;
+                map.serialize_entry("shear_displacement_radius", shear_displacement_radius)?;
+                map.serialize_entry("slip_radius", slip_radius)?;
+                map.serialize_entry("normal_stress_from", self.normal_stress_from)?;
                 map.serialize_entry("angles", &self.angles)?;
             }
         }
@@ -85,16 +101,25 @@ fn fields(is_wanted: impl Fn(Part) -> bool) -> Vec<Field> {
 
 impl PartialSchema for ForcesReply {
     fn schema() -> RefOr<Schema> {
-        let method =
-            ObjectBuilder::new().schema_type(Type::String).description(Some("The method by which the forces were found."));
+        let word = |meaning: &str| ObjectBuilder::new().schema_type(Type::String).description(Some(meaning));
+        let words = [
+            ("method", "The method by which the forces were found."),
+            ("shear_displacement_radius", "Circle on which the shear displacement was counted: shearing or rim."),
+            ("slip_radius", "Circle on which the slip was counted: rim, shearing or lug_tip."),
+            (
+                "normal_stress_from",
+                "What the normal stress follows from: soil, its pressure–sinkage law, or load, which was known beside the sinkage.",
+            ),
+        ];
         let warnings = ArrayBuilder::new().items(Ref::from_schema_name(Warning::name()));
         let object = ObjectBuilder::new()
             .description(Some("Forces and torque on the wheel."))
-            .property("method", method)
             .property("angles", Ref::from_schema_name(AnglesReply::name()))
             .property("components", Ref::from_schema_name("Components"))
             .property("warnings", warnings);
-        let object = ["method", "angles", "components", "warnings"].into_iter().fold(object, ObjectBuilder::required);
+        let object = ["angles", "components", "warnings"].into_iter().fold(object, ObjectBuilder::required);
+        let object =
+            words.into_iter().fold(object, |object, (name, meaning)| object.property(name, word(meaning)).required(name));
         with_fields(object, &fields(|part| part != Part::Components), Field::number).into()
     }
 }
@@ -122,5 +147,9 @@ impl Reply for ForcesReply {
 
     fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
     }
 }

@@ -12,6 +12,7 @@ use super::found::{FoundFit, FoundLine, FoundParameters};
 use super::request::column_name;
 use crate::reply::soil::{self, Spelled};
 use crate::reply::{EstimateReply, Reply, method_name};
+use crate::request::circles::words;
 use crate::request::soil::SoilObject;
 use crate::request::system::ContactObject;
 use crate::warning::Warning;
@@ -24,6 +25,12 @@ pub(crate) struct IdentifyReply {
     estimator: &'static str,
     /// The method of the forward model.
     method: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim.
+    #[schema(example = "shearing")]
+    shear_displacement_radius: &'static str,
+    /// Circle on which the slip was counted: rim, shearing or lug_tip.
+    #[schema(example = "rim")]
+    slip_radius: &'static str,
     /// Whether the search ended at a minimum; that alone does not make it the only one, see `identifiable`.
     converged: bool,
     /// Whether the data determine every parameter, if need be up to a bound.
@@ -82,11 +89,14 @@ impl From<FoundParameters> for IdentifyReply {
 
 impl From<FoundFit> for IdentifyReply {
     fn from(FoundFit { setup, observations, fit, warnings }: FoundFit) -> Self {
+        let (shear_displacement_radius, slip_radius) = words(setup.contact.circles);
         let direction =
             |direction: &Vec<(Unknown, f64)>| direction.iter().map(|&(unknown, share)| (unknown.name(), share)).collect();
         Self {
             estimator: "nonlinear",
             method: method_name(&setup.model.method),
+            shear_displacement_radius,
+            slip_radius,
             converged: fit.converged(),
             identifiable: fit.is_identifiable(),
             stop_reason: stop_reason(fit.stop),
@@ -110,11 +120,14 @@ impl From<FoundFit> for IdentifyReply {
 impl From<FoundLine> for IdentifyReply {
     fn from(found: FoundLine) -> Self {
         let FoundLine { setup, observations, line, bias, warnings } = found;
+        let (shear_displacement_radius, slip_radius) = words(setup.contact.circles);
         let biased = |(i, estimate): (usize, &Estimate)| EstimateReply::from(estimate).biased(bias.map(|bias| bias[i]));
         let sinkage = observations.sinkage.as_ref().map_or_else(Vec::new, |column| column.values.clone());
         Self {
             estimator: "linear",
             method: "linearised",
+            shear_displacement_radius,
+            slip_radius,
             converged: line.converged,
             identifiable: line.is_identifiable(),
             stop_reason: if line.converged { "linear" } else { "ill_conditioned" },
@@ -142,5 +155,9 @@ impl Reply for IdentifyReply {
 
     fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
     }
 }

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use terramechanics::{
-    AngleRatio, Braking, Fittable, JanosiHanamoto, Law, Parameter, Parametrised, PeakRule, PressureSinkage, ShearLaw,
-    SlipSinkage, Soil, WheelParams,
+    AngleRatio, Braking, Declared, ExitRule, Fittable, Interface, JanosiHanamoto, Law, Parameter, Parametrised, PeakRule,
+    PressureSinkage, ShearLaw, SlipSinkage, Soil, WheelParams,
 };
 use utoipa::ToSchema;
 
@@ -104,13 +104,24 @@ pub(super) fn families() -> Vec<LawFamily> {
         family("/soil/pressure_sinkage", Some("law"), PressureSinkage::LAWS, &[]),
         family("/soil/shear", Some("law"), ShearLaw::LAWS, &[]),
         family("/contact", Some("rule"), PeakRule::LAWS, AngleRatio::PARAMETERS),
+        exits(),
         family("/slip_sinkage", Some("law"), SlipSinkage::LAWS, &[]),
         family("/braking", None, Braking::LAWS, &[]),
     ]
 }
 
-/// The numbers of a wheel, and those of a soil that are no law's.
+/// The rules for the exit that stand in an object of their own.
+fn exits() -> LawFamily {
+    let of_ratio: Vec<&Law<ExitRule>> = ExitRule::LAWS.iter().filter(|law| law.name != AngleRatio::NAME).collect();
+    let notes = of_ratio.into_iter().flat_map(|law| family("/contact/exit", None, std::slice::from_ref(law), &[]).laws);
+    LawFamily { pointer: "/contact/exit".into(), tag: None, laws: notes.collect() }
+}
+
+/// The numbers of a wheel, those of a soil that are no law's, and those of an interface between the two.
 pub(super) fn parameters() -> Vec<ParameterNote> {
     let wheel = WheelParams::PARAMETERS.iter().map(|of| ParameterNote::of(of, "/wheel", &[]));
-    wheel.chain(Soil::PARAMETERS.iter().map(|of| ParameterNote::of(of, "/soil", Soil::FITTABLE))).collect()
+    let soil = Soil::PARAMETERS.iter().map(|of| ParameterNote::of(of, "/soil", Soil::FITTABLE));
+    // A fit finds them under names of their own.
+    let interface = Interface::PARAMETERS.iter().map(|of| ParameterNote::of(of, "/contact/interface", &[]));
+    wheel.chain(soil).chain(interface).collect()
 }

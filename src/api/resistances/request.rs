@@ -3,6 +3,7 @@
 use terramechanics::{Contact, Slip, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Reader};
 
+use crate::request::assume::ASSUME;
 use crate::request::motion::RATIO;
 use crate::request::sinkage::LOAD;
 use crate::request::soil::{self, Needs};
@@ -25,7 +26,7 @@ impl Request for ResistancesCase {
     const OBJECT: &'static Object = &Object {
         name: "ResistancesRequest",
         doc: "A wheel on a soil under a load, for Bekker's estimates.",
-        groups: &[&[&WHEEL, &SOIL, &NORMAL_LOAD, &SLIP]],
+        groups: &[&[&WHEEL, &SOIL, &ASSUME, &NORMAL_LOAD, &SLIP]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {

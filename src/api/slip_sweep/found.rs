@@ -28,8 +28,9 @@ pub(crate) fn sweep(SweepCase { operation, slips }: &SweepCase, pace: &Pace) -> 
         sweep.push(operation, slip);
     }
     let mut cautious = RowCautions::default();
+    let standstill_normal = operation.standstill_normal();
     for (row, point) in sweep.points() {
-        cautious.add(row, cautions(operation, &Outcome::from(point)));
+        cautious.add(row, cautions(operation, &Outcome { standstill_normal, ..Outcome::from(point) }));
     }
     let mut warnings = of_gaps(&sweep, operation);
     warnings.extend(cautious.into_warnings(slips.len()));

@@ -10,6 +10,7 @@ use super::found::FoundSweep;
 use crate::quantity::PointColumns;
 use crate::reply::Reply;
 use crate::reply::method_name;
+use crate::request::circles::words;
 use crate::warning::Warning;
 
 /// Forces over slip.
@@ -18,6 +19,15 @@ use crate::warning::Warning;
 pub(crate) struct SweepReply {
     /// The method by which the forces were found.
     method: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim.
+    #[schema(example = "shearing")]
+    shear_displacement_radius: &'static str,
+    /// Circle on which the slip was counted: rim, shearing or lug_tip.
+    #[schema(example = "rim")]
+    slip_radius: &'static str,
+    /// What the normal stress follows from: the pressure–sinkage law of the soil, or the load, which was known beside the sinkage.
+    #[schema(example = "soil")]
+    normal_stress_from: &'static str,
     columns: PointColumns,
     warnings: Vec<Warning>,
 }
@@ -26,8 +36,16 @@ impl From<FoundSweep> for SweepReply {
     fn from(FoundSweep { operation, sweep, warnings }: FoundSweep) -> Self {
         let method = &operation.model.method;
         let is_sideways = matches!(method, Method::SideSlipping(_));
-        let columns = PointColumns::of(&sweep, &operation.system.wheel, is_sideways);
-        Self { method: method_name(method), columns, warnings }
+        let columns = PointColumns::of(&sweep, &operation.system, is_sideways);
+        let (shear_displacement_radius, slip_radius) = words(operation.system.contact.circles());
+        Self {
+            method: method_name(method),
+            shear_displacement_radius,
+            slip_radius,
+            normal_stress_from: operation.sinkage.normal_stress_from().name(),
+            columns,
+            warnings,
+        }
     }
 }
 
@@ -38,5 +56,9 @@ impl Reply for SweepReply {
 
     fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
     }
 }

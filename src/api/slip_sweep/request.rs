@@ -4,6 +4,7 @@ use terramechanics::{Operation, Slip};
 use terramechanics_reading::{Object, Reader};
 
 use crate::request::axis::{self, SLIPS};
+use crate::request::circles::CIRCLES;
 use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
 use crate::request::side_slip::{self, SIDE_SLIP};
 use crate::request::sinkage::{self, SINKAGE};
@@ -22,7 +23,7 @@ impl Request for SweepCase {
     const OBJECT: &'static Object = &Object {
         name: "SlipSweepRequest",
         doc: "The forces over a range or a list of slips, at a sinkage given in exactly one of three ways (`sinkage_m`, `static_sinkage_m`, `normal_load_n`).",
-        groups: &[SYSTEM, &[&SLIPS], SINKAGE, METHOD, STRESSES, BRAKING, LAMBDAS, SIDE_SLIP],
+        groups: &[SYSTEM, CIRCLES, &[&SLIPS], SINKAGE, METHOD, STRESSES, BRAKING, LAMBDAS, SIDE_SLIP],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {

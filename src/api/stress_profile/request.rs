@@ -1,9 +1,10 @@
 //! The request of `/v1/stress-profile`.
 
-use terramechanics::{Method, Motion, Operation, PeakDepth};
+use terramechanics::{Motion, Operation, PeakDepth};
 use terramechanics_reading::{Field, Number, Object, Reader};
 
-use crate::request::method::{BRAKING, STRESSES};
+use crate::request::circles::CIRCLES;
+use crate::request::method::{self, BRAKING, INTEGRALS, STRESSES};
 use crate::request::motion::{self, MOTION};
 use crate::request::sinkage::{self, SINKAGE};
 use crate::request::system::SYSTEM;
@@ -28,13 +29,13 @@ pub(super) type ProfileRequest = Documented<ProfileCase>;
 impl Request for ProfileCase {
     const OBJECT: &'static Object = &Object {
         name: "StressProfileRequest",
-        doc: "The stresses along the rim at one operating point, exact and linearised. With `normal_load_n` the quadrature solves the sinkage.",
-        groups: &[SYSTEM, MOTION, SINKAGE, STRESSES, BRAKING, &[&POINTS]],
+        doc: "The stresses along the rim at one operating point, exact and linearised. With `normal_load_n` the sinkage is solved by the method.",
+        groups: &[SYSTEM, CIRCLES, MOTION, SINKAGE, INTEGRALS, STRESSES, BRAKING, &[&POINTS]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
-        let found = operation::read(object, sinkage::read, |_, _| Some(Method::Quadrature));
-        let motion = motion::read(object, found.wheel.as_ref());
+        let found = operation::read(object, sinkage::read, |object, _| method::read_integral(object));
+        let motion = motion::read(object, found.wheel.as_ref(), found.circles);
         let points = object.or_default(&POINTS);
         Some(Self {
             operation: found.operation?,

@@ -1,6 +1,6 @@
 //! A wheel that is towed and rolls freely.
 
-use terramechanics::{Heading, Outcome, Towed, cautions};
+use terramechanics::{Circles, Heading, Method, Outcome, Towed, cautions};
 
 use super::request::TowedCase;
 use crate::problem::Problem;
@@ -9,6 +9,9 @@ use crate::warning::{Warning, of_point};
 /// How a towed wheel rolls.
 pub(crate) struct FoundTowed {
     pub(crate) towed: Towed,
+    /// Granular stiffness (N/m³), by the method that has one.
+    pub(crate) granular_stiffness: Option<f64>,
+    pub(crate) circles: Circles,
     pub(crate) warnings: Vec<Warning>,
 }
 
@@ -17,7 +20,8 @@ pub(crate) struct FoundTowed {
 /// # Errors
 /// What the model refuses.
 pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTowed, Problem> {
-    let towed = operation.system.solve_towed(*load).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
+    let towed =
+        operation.model.solve_towed(&operation.system, *load).map_err(|error| Problem::refused(&error, &operation.sinkage))?;
     let outcome = Outcome {
         slip: towed.slip,
         sinkage: towed.sinkage,
@@ -27,5 +31,8 @@ pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTo
         standstill_normal: None,
     };
     let warnings = of_point(cautions(operation, &outcome), &operation.system, Heading::Forward);
-    Ok(FoundTowed { towed, warnings })
+    let in_grains = operation.model.method == Method::ResistiveForce;
+    let granular_stiffness = operation.system.soil.granular_stiffness().filter(|_| in_grains);
+    let circles = operation.system.contact.circles();
+    Ok(FoundTowed { towed, granular_stiffness, circles, warnings })
 }

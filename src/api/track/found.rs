@@ -1,18 +1,23 @@
 //! What a run over samples says of itself when it is over.
 
-use terramechanics::{Channel, CulpritTally, Event, Status, Tally, Tracker};
+use terramechanics::{Channel, Circles, CulpritTally, Event, NormalStressFrom, Status, Tally, Tracker};
 use terramechanics_identification::{RunningStrength, StrengthTally};
+use terramechanics_reading::Assumption;
 
 use super::plan::TrackPlan;
 use crate::series::{Column, Unreadable};
-use crate::warning::{BeyondRange, Finding, Reason, Rows, Warning, of_system};
+use crate::warning::{BeyondRange, Finding, Reason, Rows, Warning, of_assumptions, of_system};
 
 /// The findings of a run.
 #[derive(Debug)]
 pub(crate) struct FoundTrack {
     pub(crate) rows: u64,
+    pub(crate) circles: Circles,
+    pub(crate) normal_stress_from: NormalStressFrom,
     pub(crate) events: Vec<Event>,
     pub(crate) warnings: Vec<Warning>,
+    /// What was assumed of the request; no list where nothing may be.
+    pub(crate) assumed: Option<Vec<Assumption>>,
 }
 
 impl FoundTrack {
@@ -40,7 +45,20 @@ impl FoundTrack {
         if left_out > 0 {
             warnings.push(Finding::EventsLeftOut { events: left_out }.into());
         }
-        Self { rows: tracker.rows(), events: events.to_vec(), warnings }
+        Self {
+            rows: tracker.rows(),
+            circles: tracker.system().contact.circles(),
+            normal_stress_from: plan.normal_stress_from(),
+            events: events.to_vec(),
+            warnings,
+            assumed: None,
+        }
+    }
+
+    /// With what was assumed of the request.
+    pub(crate) fn assuming(mut self, assumed: Option<Vec<Assumption>>) -> Self {
+        self.warnings.extend(of_assumptions(assumed.as_deref().unwrap_or_default()));
+        Self { assumed, ..self }
     }
 }
 

@@ -19,6 +19,7 @@ use crate::compute::Place;
 use crate::extract::{Input, SeriesForm, read_query};
 use crate::limits;
 use crate::problem::Problem;
+use crate::request::Accepted;
 use crate::state::Service;
 use crate::stream;
 pub(crate) use example::example;
@@ -74,13 +75,13 @@ async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
     let wanted = form.of_answer(request.headers());
     let limits = *service.limits();
     if form == SeriesForm::Json {
-        let Input(query) = Input::<TrackCase>::from_request(request, service).await?;
+        let Input(Accepted { case, assumed }) = Input::<TrackCase>::from_request(request, service).await?;
         // All is there already, so that it is a computation like any other.
         let limits = limits::Limits { stream_deadline: limits.compute_deadline, ..limits };
         let place = service.pool().place()?;
-        return Ok(Asked { run: Run::over_samples(query, wanted), body: Body::empty(), place, limits });
+        return Ok(Asked { run: Run::over_samples(case, wanted).assuming(assumed), body: Body::empty(), place, limits });
     }
-    let settings = checked_settings(&read_query(request.uri())?).map_err(Problem::Invalid)?;
+    let Accepted { case: settings, assumed } = checked_settings(&read_query(request.uri())?).map_err(Problem::Invalid)?;
     let place = service.pool().stream_place()?;
-    Ok(Asked { run: Run::over_stream(settings, form, wanted), body: request.into_body(), place, limits })
+    Ok(Asked { run: Run::over_stream(settings, form, wanted).assuming(assumed), body: request.into_body(), place, limits })
 }

@@ -1,20 +1,32 @@
 //! How the cells of a series become samples.
 
-use terramechanics::{Measured, Sample, SampleMotion, Sinkage, Velocities};
+use terramechanics::{KnownSinkage, Measured, NormalStressFrom, Sample, SampleMotion, Sinkage, Velocities};
 use terramechanics_reading::Scope;
 
+use crate::request::sinkage::of_known;
 use crate::series::{Cells, Column, Layout};
 
 /// How the cells of a series become samples.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TrackPlan {
     pub(super) layout: Layout,
-    pub(super) from_static: Option<Sinkage>,
+    pub(super) from_static: Option<KnownSinkage>,
     pub(super) normal_load: Option<f64>,
 }
 
+/// What is given or asked for beside the columns.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BesideColumns {
+    pub(super) static_sinkage: bool,
+    pub(super) normal_load: bool,
+    pub(super) strength: bool,
+    /// Whether the soil has a pressure–sinkage law; true where the soil is wrong in another way.
+    pub(super) law: bool,
+}
+
 /// Whether samples with these columns can be followed; what is wrong with the columns is reported.
-pub(super) fn check_columns(layout: Layout, static_sinkage: bool, normal_load: bool, strength: bool, place: &Scope<'_>) -> bool {
+pub(super) fn check_columns(layout: Layout, beside: BesideColumns, place: &Scope<'_>) -> bool {
+    let BesideColumns { static_sinkage, normal_load, strength, law } = beside;
     let columns = place.field("columns");
     let has = |column: Column| layout.has(column);
     let mut sound = true;
@@ -50,12 +62,13 @@ pub(super) fn check_columns(layout: Layout, static_sinkage: bool, normal_load: b
             );
         }
     }
-    // With a measured torque or sinkage each of the two has a meaning of its own.
-    if static_sinkage && normal_load && !has(Column::Torque) && !has(Column::Sinkage) {
-        refuse(place.field("static_sinkage_m"), "only one of `static_sinkage_m` and `normal_load_n` may be given");
-    }
-    if !has(Column::Sinkage) && !static_sinkage && !normal_load {
+    let known_sinkage = static_sinkage || has(Column::Sinkage);
+    if !known_sinkage && !normal_load {
         refuse(place.field("static_sinkage_m"), "is required, or `normal_load_n`, or a column `sinkage_m`");
+    }
+    if !(law || known_sinkage && normal_load) {
+        let detail = "is required, unless the load is known beside the sinkage";
+        refuse(place.field("soil").field("pressure_sinkage"), detail);
     }
     sound
 }
@@ -64,6 +77,13 @@ impl TrackPlan {
     /// Whether there is a column for the pull by the coupled form.
     pub(crate) fn is_coupled(&self) -> bool {
         self.layout.has(Column::Torque)
+    }
+
+    /// What the normal stress of the samples follows from.
+    pub(crate) fn normal_stress_from(&self) -> NormalStressFrom {
+        let is_known = self.from_static.is_some() || self.layout.has(Column::Sinkage);
+        let has_load = self.normal_load.is_some() || self.layout.has(Column::NormalLoad);
+        if is_known && has_load { NormalStressFrom::Load } else { NormalStressFrom::Soil }
     }
 
     /// Whether a torque is measured and no load that would go with it is known.
@@ -83,10 +103,10 @@ impl TrackPlan {
                 angular: cell(Column::AngularVelocity),
             })
         };
-        let sinkage = if self.layout.has(Column::Sinkage) {
-            Sinkage::Given(cell(Column::Sinkage))
-        } else {
-            self.from_static.unwrap_or(Sinkage::CarryingLoad(load.unwrap_or(f64::NAN)))
+        let measured = self.layout.has(Column::Sinkage).then(|| KnownSinkage::Given(cell(Column::Sinkage)));
+        let sinkage = match measured.or(self.from_static) {
+            Some(known) => of_known(known, load),
+            None => Sinkage::CarryingLoad(load.unwrap_or(f64::NAN)),
         };
         let torque = self.is_coupled().then(|| cell(Column::Torque));
         let measured = torque.zip(load).map(|(torque, normal_load)| Measured { torque, normal_load });

@@ -6,22 +6,48 @@ use utoipa::ToSchema;
 
 use super::found::FoundTrack;
 use crate::quantity::SampleColumns;
+use crate::reply::AssumedReply;
+use crate::request::circles::words;
 use crate::warning::Warning;
 
 /// A wheel over time.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Track)]
 pub(crate) struct TrackReply {
+    /// Circle on which the shear displacement was counted: shearing or rim.
+    #[schema(example = "shearing")]
+    shear_displacement_radius: &'static str,
+    /// Circle on which the slip was counted: rim, shearing or lug_tip.
+    #[schema(example = "rim")]
+    slip_radius: &'static str,
+    /// What the normal stress follows from: the pressure–sinkage law of the soil, or the load, which was known beside the sinkage.
+    #[schema(example = "soil")]
+    normal_stress_from: &'static str,
     columns: SampleColumns,
     /// When the wheel was stuck; the first thousand times.
     events: Vec<EventReply>,
     warnings: Vec<Warning>,
+    /// What was assumed; absent where the request did not allow it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    assumed: Option<Vec<AssumedReply>>,
 }
 
 impl TrackReply {
     /// The columns of a run with its findings.
-    pub(crate) fn of(columns: SampleColumns, FoundTrack { events, warnings, .. }: FoundTrack) -> Self {
-        Self { columns, events: events.iter().map(EventReply::from).collect(), warnings }
+    pub(crate) fn of(columns: SampleColumns, found: FoundTrack) -> Self {
+        let FoundTrack { circles, normal_stress_from, events, warnings, assumed, .. } = found;
+        let (shear_displacement_radius, slip_radius) = words(circles);
+        let normal_stress_from = normal_stress_from.name();
+        Self {
+            shear_displacement_radius,
+            slip_radius,
+            normal_stress_from,
+            columns,
+            events: events.iter().map(EventReply::from).collect(),
+            warnings,
+            assumed: assumed.map(|assumed| assumed.into_iter().map(AssumedReply::from).collect()),
+        }
     }
 }
 

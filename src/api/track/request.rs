@@ -1,24 +1,27 @@
 //! The request of `/v1/track`.
 
-use terramechanics::{Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
+use terramechanics::{KnownSinkage, Method, Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
 use terramechanics_identification::RunningStrength;
 use terramechanics_reading::{
-    Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected, read,
+    Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected,
 };
 
-use super::plan::{self, TrackPlan};
+use super::plan::{self, BesideColumns, TrackPlan};
 use super::samples::{self, COLUMNS, Samples};
+use crate::request::assume::accepted_by;
+use crate::request::circles::CIRCLES;
 use crate::request::laws::field_or_default;
 use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
-use crate::request::sinkage::{LOAD, SLIP_SINKAGE, STATIC_SINKAGE, law_beside_static};
-use crate::request::system::SYSTEM;
-use crate::request::{Documented, Request, operation};
+use crate::request::sinkage::{LOAD, SLIP_SINKAGE, STATIC_SINKAGE, law_beside_static, of_known};
+use crate::request::soil::Needs;
+use crate::request::system::{self, SYSTEM};
+use crate::request::{Accepted, Documented, Request, operation};
 use crate::series::{ExtraColumns, Layout};
 use crate::words::HINTS;
 
 const NORMAL_LOAD: Field<Number> = Field::new(
     WheelOnSoil::NORMAL_LOAD.name,
-    "Vertical load W (N), unless it is a column; the sinkage is solved so that F_z = W where it is neither measured nor static.",
+    "Vertical load W (N), unless it is a column. Beside a sinkage, measured or static, it takes the place of the soil's sinkage modulus; without one the sinkage is solved so that F_z = W.",
     LOAD,
 );
 const EXTRA_COLUMNS: Field<Word<ExtraColumns>> = Field::new(
@@ -60,7 +63,7 @@ const THRESHOLDS: Field<&Object> = Field::new("thresholds", "When the wheel coun
 pub(crate) struct TrackSettings {
     pub(crate) operation: Operation,
     /// The sinkage that follows from a static one.
-    from_static: Option<Sinkage>,
+    from_static: Option<KnownSinkage>,
     normal_load: Option<f64>,
     pub(crate) tracker: Tracker,
     /// The running estimate of the strength, where it is asked for.
@@ -100,11 +103,20 @@ fn settings(object: &Reader<'_>, extra_columns: Option<ExtraColumns>) -> Option<
     let law = law_beside_static(object);
     // Every sample brings a sinkage of its own; this one only says of what kind most of them are.
     let kind = if object.has(&NORMAL_LOAD) { Sinkage::CarryingLoad(1.0) } else { Sinkage::Given(1.0) };
-    let found = operation::read(object, |_, _| Some(kind), method::read);
+    // Which columns there are, and so whether the law is needed, may not be known yet: see the plan.
+    let needs = method::needs(object);
+    let needs = Needs { pressure_sinkage: false, perhaps_pressure_sinkage: needs.pressure_sinkage, ..needs };
+    let system = system::read(object, needs);
+    let found = operation::read_with(object, system, |_, _| Some(kind), method::read);
+    if let (Some(method), Some(soil)) = (&found.method, &found.soil)
+        && !operation::has_its_law(object, method, soil)
+    {
+        return None;
+    }
     let thresholds = thresholds(object);
     let law = law?;
-    let from_static = static_sinkage?.map(|static_sinkage| Sinkage::FromStatic { static_sinkage, law });
-    let operation = Operation { sinkage: from_static.unwrap_or(kind), ..found.operation? };
+    let from_static = static_sinkage?.map(|static_sinkage| KnownSinkage::FromStatic { static_sinkage, law });
+    let operation = Operation { sinkage: from_static.map_or(kind, |known| of_known(known, None)), ..found.operation? };
     let tracker = Tracker::new(operation, thresholds?).map_err(|invalid| object.place().fault(invalid)).ok()?;
     let strength = strength(object, &operation)?;
     let (normal_load, extra_columns) = (normal_load?, extra_columns?);
@@ -116,9 +128,10 @@ pub(super) type TrackRequest = Documented<TrackCase>;
 impl Request for TrackCase {
     const OBJECT: &'static Object = &Object {
         name: "TrackRequest",
-        doc: "A wheel followed over time. The sinkage of a sample is the measured one if there is a column `sinkage_m`; else it follows from `static_sinkage_m`, or is solved for `normal_load_n`, of which one has to be given.",
+        doc: "A wheel followed over time. The sinkage of a sample is the measured one if there is a column `sinkage_m`; else it follows from `static_sinkage_m`, or is solved for `normal_load_n`. Slip, `static_sinkage_m` and `normal_load_n` together are enough for pull and torque: the load then takes the place of the soil's sinkage modulus.",
         groups: &[
             SYSTEM,
+            CIRCLES,
             &[&STATIC_SINKAGE, &SLIP_SINKAGE, &NORMAL_LOAD],
             METHOD,
             BRAKING,
@@ -138,15 +151,20 @@ impl Request for TrackCase {
         }
         let columns = columns.flatten()?;
         let samples = samples::read(&columns);
-        let (static_sinkage, load) = (object.has(&STATIC_SINKAGE), object.has(&NORMAL_LOAD));
-        plan::check_columns(samples::layout(&columns), static_sinkage, load, object.has(&STRENGTH), object.place());
+        let beside = BesideColumns {
+            static_sinkage: object.has(&STATIC_SINKAGE),
+            normal_load: object.has(&NORMAL_LOAD),
+            strength: object.has(&STRENGTH),
+            law: settings.as_ref().is_none_or(TrackSettings::has_law),
+        };
+        plan::check_columns(samples::layout(&columns), beside, object.place());
         Some(Self { settings: settings?, samples: samples? })
     }
 }
 
 /// The settings of a run whose samples come as a stream, or all their faults.
-pub(crate) fn checked_settings(query: &Node<'_>) -> Result<TrackSettings, Vec<FieldFault>> {
-    read(query, TrackCase::OBJECT, &HINTS, |object| {
+pub(crate) fn checked_settings(query: &Node<'_>) -> Result<Accepted<TrackSettings>, Vec<FieldFault>> {
+    accepted_by(query, TrackCase::OBJECT, |object| {
         if object.has(&COLUMNS_FIELD) {
             object.place_of(&COLUMNS_FIELD).fault("the body has the samples");
         }
@@ -155,15 +173,29 @@ pub(crate) fn checked_settings(query: &Node<'_>) -> Result<TrackSettings, Vec<Fi
 }
 
 impl TrackSettings {
+    /// Whether the soil has the pressure–sinkage law, if the method has one.
+    fn has_law(&self) -> bool {
+        self.operation.model.method == Method::ResistiveForce || self.operation.system.soil.pressure_sinkage().is_some()
+    }
+
     /// How samples with the columns of `layout` are understood.
     ///
     /// # Errors
     /// The faults of its columns.
     pub(crate) fn plan(&self, layout: Layout) -> Result<TrackPlan, Vec<FieldFault>> {
         let Self { from_static, normal_load, strength, .. } = self;
+        let beside = BesideColumns {
+            static_sinkage: from_static.is_some(),
+            normal_load: normal_load.is_some(),
+            strength: strength.is_some(),
+            law: self.has_law(),
+        };
         collected(&HINTS, |place| {
-            plan::check_columns(layout, from_static.is_some(), normal_load.is_some(), strength.is_some(), place)
-                .then_some(TrackPlan { layout, from_static: *from_static, normal_load: *normal_load })
+            plan::check_columns(layout, beside, place).then_some(TrackPlan {
+                layout,
+                from_static: *from_static,
+                normal_load: *normal_load,
+            })
         })
     }
 }

@@ -18,7 +18,7 @@ use crate::problem::Problem;
 use crate::quantity::{Beside, Row as Cells, SampleLists};
 use crate::series::{Read, Reader, Row, Unreadable};
 use crate::stream::{PIECE, Progress, Work};
-use terramechanics_reading::FieldFault;
+use terramechanics_reading::{Assumption, FieldFault};
 
 /// A run.
 #[derive(Debug)]
@@ -26,6 +26,8 @@ pub(crate) struct Run {
     source: Source,
     settings: TrackSettings,
     form: SeriesForm,
+    /// What was assumed of the request; no list where nothing may be.
+    assumed: Option<Vec<Assumption>>,
     /// Once the columns are known.
     started: Option<Started>,
 }
@@ -57,13 +59,18 @@ impl Run {
     pub(crate) fn over_stream(settings: TrackSettings, body: SeriesForm, form: SeriesForm) -> Self {
         let extra = settings.extra_columns;
         let reader = if body == SeriesForm::Csv { Reader::csv(extra) } else { Reader::ndjson(extra) };
-        Self { source: Source::Reader(reader), settings, form, started: None }
+        Self { source: Source::Reader(reader), settings, form, assumed: None, started: None }
     }
 
     /// Over samples in memory.
     pub(crate) fn over_samples(query: TrackCase, form: SeriesForm) -> Self {
         let TrackCase { settings, samples } = query;
-        Self { source: Source::Memory { samples, next: 0 }, settings, form, started: None }
+        Self { source: Source::Memory { samples, next: 0 }, settings, form, assumed: None, started: None }
+    }
+
+    /// With what was assumed of the request.
+    pub(crate) fn assuming(self, assumed: Option<Vec<Assumption>>) -> Self {
+        Self { assumed, ..self }
     }
 
     /// Starts once the columns are known.
@@ -118,7 +125,7 @@ impl Run {
                         Source::Reader(reader) => reader.unreadable(),
                         Source::Memory { .. } => &Unreadable::default(),
                     };
-                    return started.end(unreadable, output).map(|()| Progress::Complete);
+                    return started.end(unreadable, self.assumed.take(), output).map(|()| Progress::Complete);
                 }
             }
             rows += 1;
@@ -151,9 +158,9 @@ impl Started {
         Ok(())
     }
 
-    fn end(&mut self, unreadable: &Unreadable, output: &mut Vec<u8>) -> Result<(), Problem> {
+    fn end(&mut self, unreadable: &Unreadable, assumed: Option<Vec<Assumption>>, output: &mut Vec<u8>) -> Result<(), Problem> {
         self.tracker.finish();
-        let found = FoundTrack::of(&self.tracker, &self.plan, unreadable, self.strength.as_ref());
+        let found = FoundTrack::of(&self.tracker, &self.plan, unreadable, self.strength.as_ref()).assuming(assumed);
         match &mut self.sink {
             Sink::Rows(table) => {
                 table.end(&found, output);

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::found::FoundTrack;
 use super::reply::EventReply;
 use crate::quantity::{Beside, Cell, Digits, Row, SampleCells, line};
+use crate::reply::AssumedReply;
 use crate::warning::Warning;
 
 /// A format that is written row by row.
@@ -45,7 +46,7 @@ impl Table {
     }
 
     /// The lines after the last row of a whole answer.
-    pub(crate) fn end(&self, FoundTrack { rows, events, warnings }: &FoundTrack, out: &mut Vec<u8>) {
+    pub(crate) fn end(&self, FoundTrack { rows, events, warnings, assumed, .. }: &FoundTrack, out: &mut Vec<u8>) {
         let events: Vec<EventReply> = events.iter().map(EventReply::from).collect();
         match self.format {
             RowFormat::Csv => {
@@ -60,7 +61,10 @@ impl Table {
                 }
                 comment(&["end", &rows.to_string()], out);
             }
-            RowFormat::Ndjson => json(&Last { end: true, rows: *rows, warnings, events: &events }, out),
+            RowFormat::Ndjson => {
+                let assumed = assumed.clone().map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
+                json(&Last { end: true, rows: *rows, warnings, events: &events, assumed }, out);
+            }
         }
     }
 
@@ -80,6 +84,8 @@ struct Last<'a> {
     rows: u64,
     warnings: &'a [Warning],
     events: &'a [EventReply],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    assumed: Option<Vec<AssumedReply>>,
 }
 
 /// A comment of several cells; the last may be any text without a line end.

@@ -1,12 +1,14 @@
 //! A set of measurements by every method.
 
-use crate::validation::{Prediction, Record};
+use crate::validation::{AtModulus, Prediction, Record, of_shear_modulus};
 use crate::warning::{Finding, Reason, RowCautions, Rows, Warning, shared_warnings};
 
 /// A set of measurements with the predictions for it.
 pub(crate) struct FoundSet {
     pub(crate) record: &'static Record,
     pub(crate) predictions: Vec<Prediction>,
+    /// What hangs on the shear modulus.
+    pub(crate) sensitivity: Vec<AtModulus>,
     pub(crate) warnings: Vec<Warning>,
 }
 
@@ -17,7 +19,7 @@ pub(crate) fn validation(record: &'static Record) -> FoundSet {
         predictions.iter().map(|prediction| (prediction.run.series, prediction.cautions.clone())).collect();
     let mut warnings = of_gaps(&predictions);
     warnings.extend(shared_warnings(cautions, record.points().slip.len()));
-    FoundSet { record, predictions, warnings }
+    FoundSet { record, predictions, sensitivity: of_shear_modulus(record), warnings }
 }
 
 /// Rows without a solution, each with the reason.

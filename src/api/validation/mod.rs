@@ -2,6 +2,7 @@
 
 mod columns;
 mod found;
+mod inputs;
 mod reply;
 
 use std::sync::OnceLock;

@@ -8,6 +8,7 @@ use utoipa::ToSchema;
 
 use super::columns::{ForceColumns, ValidationColumns};
 use super::found::FoundSet;
+use super::inputs::{InputReply, NotScoredReply, SensitivityReply, inputs, not_scored};
 use crate::reply::Reply;
 use crate::request::soil::SoilObject;
 use crate::request::system::ContactObject;
@@ -44,9 +45,24 @@ pub(crate) struct ValidationSet {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     slip_angle_rad: Option<f64>,
+    /// Circle on which the slips were counted, `rim`, `shearing` or `lug_tip`, ready for a request.
+    #[schema(example = "shearing")]
+    slip_radius: &'static str,
+    /// Whether the source says so; else the rim is assumed. Without lugs it does not matter.
+    slip_radius_stated: bool,
     /// Which parameters were fitted to these very measurements; absent where none were, and the results are predictions.
     #[serde(skip_serializing_if = "Option::is_none")]
     fitted_to: Option<&'static str>,
+    /// Where the inputs of the predictions come from.
+    inputs: Vec<InputReply>,
+    /// Measured columns that count in no error, and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    not_scored: Vec<NotScoredReply>,
+    /// How much of the pull's error hangs on the shear modulus; absent at a slip angle.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    sensitivity: Vec<SensitivityReply>,
     /// Number of points.
     points: usize,
     /// The errors by method, and by the options that differ from the defaults of a request.
@@ -80,7 +96,7 @@ struct ValidationResult {
     drawbar_rmse_over_load: Option<f64>,
     /// Error of the sinkage (m).
     sinkage_rmse_m: Option<f64>,
-    /// Error of the torque (N·m).
+    /// Error of the torque (N·m); null where the measured one is not trusted, see `not_scored`.
     torque_rmse_n_m: Option<f64>,
     /// Error of the lateral force, at each point over its load (–).
     lateral_rmse_over_load: Option<f64>,
@@ -93,6 +109,9 @@ struct ValidationResult {
 impl ValidationResult {
     fn of(record: &Record, prediction: &Prediction, measured: &ForceColumns, predicted: &ForceColumns) -> Self {
         let error = |name: &str| {
+            if record.not_scored.contains_key(name) {
+                return None;
+            }
             let (predicted, measured) = (predicted.get(name)?, measured.get(name)?);
             root_mean_square(predicted.iter().zip(measured).map(|(predicted, measured)| predicted - measured))
         };
@@ -104,7 +123,8 @@ impl ValidationResult {
             braking: run.braking,
             shear_coupling: run.side.map(|laws| laws.shear_coupling),
             bulldozing: run.side.map(|laws| laws.bulldozing),
-            fitted: record.fitted_to.is_some(),
+            // No set was fitted by what grains take of a soil.
+            fitted: record.fitted_to.is_some() && !run.is_by_grains(),
             drawbar_rmse_over_load: error("drawbar_coefficient"),
             sinkage_rmse_m: error("sinkage_m"),
             torque_rmse_n_m: error("torque_n_m"),
@@ -116,7 +136,7 @@ impl ValidationResult {
 }
 
 impl From<FoundSet> for ValidationSet {
-    fn from(FoundSet { record, predictions, warnings }: FoundSet) -> Self {
+    fn from(FoundSet { record, predictions, sensitivity, warnings }: FoundSet) -> Self {
         let columns = ValidationColumns::of(record, &predictions);
         let predicted = predictions.iter().zip(columns.predicted.each());
         let results =
@@ -131,7 +151,12 @@ impl From<FoundSet> for ValidationSet {
             soil: &record.soil,
             contact: record.contact.as_ref(),
             slip_angle_rad: record.side_slip.map(|side| side.angle()),
+            slip_radius: &record.slip_radius,
+            slip_radius_stated: record.slip_radius_stated,
             fitted_to: record.fitted_to.as_deref(),
+            inputs: inputs(record),
+            not_scored: not_scored(record),
+            sensitivity: sensitivity.into_iter().map(SensitivityReply::from).collect(),
             points: record.points().slip.len(),
             results: results.collect(),
             columns,
@@ -147,5 +172,9 @@ impl Reply for ValidationSet {
 
     fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
     }
 }

@@ -2,7 +2,9 @@
 
 mod accuracy;
 mod clients;
+mod evidence;
 mod links;
+mod methods;
 mod operations;
 mod readme;
 mod validation;
@@ -24,7 +26,7 @@ fn blocks<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
 
 /// The cells of the rows of the first table below a heading, without its head.
 fn table<'a>(text: &'a str, heading: &str) -> Vec<Vec<&'a str>> {
-    let (_, below) = text.split_once(&format!("\n{heading}\n")).unwrap_or_else(|| panic!("no heading {heading}"));
+    let (_, below) = text.split_once(&format!("{heading}\n")).unwrap_or_else(|| panic!("no heading {heading}"));
     let lines = below.lines().skip_while(|line| !line.starts_with('|')).take_while(|line| line.starts_with('|'));
     let rows = lines.skip(2).map(|line| line.trim_matches('|').split('|').map(str::trim).collect());
     rows.collect()

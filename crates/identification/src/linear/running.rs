@@ -15,7 +15,9 @@
 //! line at the mean: var a = s² P₀/S², cov(a, tan φ) = s² P₁/(S M), var tan φ = s² P₂/M², and tr G = S − P₀/S − P₂/M.
 //! For λ = 1 these are the formulas of ordinary least squares, with tr G = n − 2.
 
-use terramechanics::{Error, NormalStressRadius, Sample, SampleMotion, Sinkage, Slip, Status, TrackRow, WheelOnSoil};
+use terramechanics::{
+    Error, KnownSinkage, NormalStressRadius, Sample, SampleMotion, Sinkage, Slip, Status, TrackRow, WheelOnSoil,
+};
 
 use super::{RollingSample, StressPoint};
 use crate::design::{LOAD_SPREAD, SLIP_SPREAD};
@@ -259,7 +261,8 @@ struct Strength {
 
 /// The rolling sample in a sample of a track; none unless the wheel moves and sinkage, load and torque were measured.
 fn rolling_sample(sample: &Sample, row: &TrackRow) -> Option<RollingSample> {
-    let (Status::Ok, Some(measured), Sinkage::Given(sinkage)) = (row.status, sample.measured, sample.sinkage) else {
+    let (Status::Ok, Some(measured)) = (row.status, sample.measured) else { return None };
+    let (Sinkage::Given(sinkage) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(sinkage), .. }) = sample.sinkage else {
         return None;
     };
     // A wheel that moves backwards is the mirror image: its torque drives it the other way.

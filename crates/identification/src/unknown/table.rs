@@ -1,6 +1,6 @@
 //! Every unknown, from the tables of the model.
 
-use terramechanics::{Fittable, Lambda, Law, PeakRule, PressureSinkage, ShearLaw, Soil, WheelOnSoil};
+use terramechanics::{Fittable, Interface, Lambda, Law, PeakRule, PressureSinkage, ShearLaw, Soil, WheelOnSoil};
 
 /// What of a setup has the unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum Home {
     PressureSinkage,
     /// The rule of the contact.
     Rule,
+    /// The interface between rim and soil.
+    Interface,
     /// The method.
     Method,
     /// The source of the sinkage.
@@ -98,6 +100,7 @@ const LISTED: Rows = Rows { rows: [None; MOST], count: 0 }
     .and_of(ShearLaw::LAWS, Home::Shear)
     .and_of(PressureSinkage::LAWS, Home::PressureSinkage)
     .and_of(PeakRule::LAWS, Home::Rule)
+    .and(Interface::FITTABLE, Home::Interface)
     .and(Lambda::FITTABLE, Home::Method)
     .and(WheelOnSoil::FITTABLE, Home::Sinkage);
 

@@ -23,8 +23,15 @@ static LAWS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
         Variant { name: "hollow", doc: "A hollow beam.", fields: Cow::Borrowed(&[WIDTH, WALL]) },
     ]
 });
-const BEAM_LAW: Tagged =
-    Tagged { name: "Beam", doc: "A beam.", tag: "law", meaning: "Kind of the beam.", suffix: "Beam", variants: || &LAWS };
+const BEAM_LAW: Tagged = Tagged {
+    name: "Beam",
+    doc: "A beam.",
+    tag: "law",
+    meaning: "Kind of the beam.",
+    suffix: "Beam",
+    variants: || &LAWS,
+    also: &[],
+};
 const BEAM: Field<&Tagged> = Field::required("beam", "The beam.", &BEAM_LAW);
 
 const FORCE: Number = Number::new("N", 0.0, 1e9);
@@ -50,7 +57,7 @@ const SIDE: Field<Word<Load>> = Field::new("side", "Which load.", SIDES.or(Load:
 const HEIGHT: Field<Number> = Field::required("height_m", "Height (m).", LENGTH);
 const PIER: Object = Object { name: "Pier", doc: "A pier.", groups: &[&[&HEIGHT]] };
 const PIERS: Field<Objects> = Field::new("piers", "The piers.", Objects { object: &PIER, fewest: 0, most: 8 });
-const ALL_SIDES: Field<Words<Load>> = Field::new("sides", "Which loads.", Words { word: SIDES, most: 4, all_unless_given: true });
+const ALL_SIDES: Field<Words<Load>> = Field::new("sides", "Which loads.", Words { word: SIDES, most: 4, first_unless_given: 2 });
 const LIMITS: Field<Bounds> = Field::new("range_m", "Limits (m).", Bounds(LENGTH));
 const NOTE: Field<Label> = Field::new("note", "A note.", Label);
 

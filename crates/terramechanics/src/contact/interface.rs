@@ -15,7 +15,8 @@
 //! bulldozed. A lateral shear modulus that the soil has holds across the wheel; else the interface has one modulus both ways.
 
 use crate::error::Error;
-use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
+use crate::fittable::{Fittable, Step, Tolerance};
+use crate::parameter::{Parameter, Parametrised, Presence, Requirement, present};
 use crate::soil::Soil;
 use crate::strength::Strength;
 
@@ -59,6 +60,57 @@ impl Interface {
         most: 10.0,
         presence: Presence::Optional,
     };
+
+    /// The numbers that a fit may find, under names that tell them from the soil's. Bounds and scales are those of the soil's strength;
+    /// the moduli measured between rims and soils are 6 to 9 mm.
+    pub const FITTABLE: &'static [Fittable] = &[
+        Fittable {
+            parameter: Parameter { name: "interface_friction_angle_rad", ..Self::FRICTION_ANGLE },
+            bounds: [0.0, 1.5],
+            usual: [0.3, 0.6],
+            typical: 0.4,
+            tolerance: Tolerance::Fixed(0.2),
+            step: Step::ONE,
+        },
+        Fittable {
+            parameter: Parameter { name: "interface_adhesion_pa", ..Self::ADHESION },
+            bounds: [0.0, 1e6],
+            usual: [0.0, 1e3],
+            typical: 100.0,
+            tolerance: Tolerance::SizeOr(500.0),
+            step: Step::Linear(1e3),
+        },
+        Fittable {
+            parameter: Parameter { name: "interface_shear_modulus_m", ..Self::SHEAR_MODULUS },
+            bounds: [1e-5, 1.0],
+            usual: [1e-3, 0.02],
+            typical: 5e-3,
+            tolerance: Tolerance::Size,
+            step: Step::Logarithmic(&Step::Linear(0.01)),
+        },
+    ];
+
+    /// The values that are there, each with its parameter.
+    pub fn parameters(&self) -> impl Iterator<Item = (&'static Parameter, f64)> + use<> {
+        present(Self::PARAMETERS, self.values())
+    }
+
+    /// The value that a fit may find under that name, if it is there.
+    #[must_use]
+    pub fn fitted(&self, name: &str) -> Option<f64> {
+        let place = Self::FITTABLE.iter().position(|fittable| fittable.parameter.name == name)?;
+        self.values()[place]
+    }
+
+    /// The interface with another value under that name; the same where there is no such name.
+    #[must_use]
+    pub fn with_fitted(self, name: &str, value: f64) -> Self {
+        let mut values = self.values();
+        if let Some(place) = Self::FITTABLE.iter().position(|fittable| fittable.parameter.name == name) {
+            values[place] = Some(value);
+        }
+        Self::from_values(&values).unwrap_or(self)
+    }
 }
 
 impl Parametrised for Interface {

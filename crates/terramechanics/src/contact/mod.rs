@@ -19,7 +19,6 @@ use crate::circles::Circles;
 use crate::error::Error;
 use crate::fault::InvalidInput;
 use crate::law::family;
-use crate::parameter::{Parametrised, present};
 use crate::slip::Slip;
 
 family! {
@@ -113,7 +112,7 @@ impl Contact {
     /// # Errors
     /// Every parameter that is not finite or outside its range.
     pub fn new(params: ContactParams) -> Result<Self, InvalidInput> {
-        let interface = params.interface.iter().flat_map(|interface| present(Interface::PARAMETERS, interface.values()));
+        let interface = params.interface.iter().flat_map(Interface::parameters);
         InvalidInput::check(params.rule.parameters().chain(params.exit.parameters()).chain(interface))?;
         Ok(Self { params, braking: Braking::OneZone })
     }

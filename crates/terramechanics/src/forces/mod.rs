@@ -17,6 +17,7 @@ mod panel;
 mod panels;
 mod quadrature;
 pub(crate) mod resistive;
+pub(crate) mod rutted;
 mod shape;
 mod shearing;
 mod side;

@@ -1,7 +1,7 @@
 //! The sums of the stresses over one panel of the rim, eight nodes side by side, and how they change as the wheel sinks.
 
 use super::panels::{ROUNDING, Resolved, error_of};
-use super::shearing::{Rim, Shearing};
+use super::shearing::{Pressing, Rim, Shearing};
 use crate::contact::AngleRates;
 use crate::numerics::gauss_legendre::LaneNodes;
 use crate::numerics::lanes::{LANES, Number, sum};
@@ -133,10 +133,10 @@ impl<L: Simd> Changes<L> {
     }
 }
 
-impl Rim<'_> {
+impl<P: Pressing> Rim<'_, P> {
     /// The sums over a range of u.
     #[inline(always)]
-    pub(super) fn sums<L: Simd, S: Shearing, const N: usize>(
+    pub(super) fn sums<L: Simd, S: Shearing<P>, const N: usize>(
         &self,
         simd: L,
         nodes: &[LaneNodes; N],
@@ -148,7 +148,7 @@ impl Rim<'_> {
 
     /// The same, and if `CHANGING` the changes of the integrals against the entry angle, by how the angles and the shear law change.
     #[inline(always)]
-    pub(super) fn sums_and_changes<L: Simd, S: Shearing, const N: usize, const CHANGING: bool>(
+    pub(super) fn sums_and_changes<L: Simd, S: Shearing<P>, const N: usize, const CHANGING: bool>(
         &self,
         simd: L,
         nodes: &[LaneNodes; N],
@@ -160,7 +160,7 @@ impl Rim<'_> {
         let front_side = Side { arc: self.front, arc_rate: 1.0 - rates.peak };
         let rear_side = Side { arc: self.rear, arc_rate: rates.peak - rates.exit };
         let length = to - from;
-        let (deepest, per_sinkage) = (curve.pressure(patch.sinkage), 1.0 / patch.sinkage);
+        let deepest = [patch.sinkage, curve.pressure(patch.sinkage)];
         let zero = f64x8::splat(simd, 0.0);
         let [mut normal_cos, mut normal_sin, mut shear_cos, mut shear_sin, mut shear_plain, mut shear_size] = [zero; 6];
         let [mut normal_null, mut shear_null] = [[zero; 2]; 2];
@@ -176,8 +176,8 @@ impl Rim<'_> {
             spot.rear = patch.entry.place_at(&self.entry, spot.t * rear_side.arc + patch.angles.exit);
         }
         for spot in &mut spots {
-            // Eqs. (1), (3), (4): the same on both sides.
-            spot.normal = ((patch.geometric_depth(&spot.front) * per_sinkage).ln() * curve.exponent).exp() * deepest;
+            // Eqs. (3), (4): the same on both sides.
+            spot.normal = curve.pressures(patch.geometric_depth(&spot.front), deepest);
         }
         for spot in &mut spots {
             (spot.front_share, spot.rear_share) = (shearing.ahead(&spot.front), shearing.behind(&spot.rear)); // Eq. (6)
@@ -205,7 +205,7 @@ impl Rim<'_> {
                 let front_turn = -(t * front_side.arc_rate) + 1.0;
                 let rear_turn = t * rear_side.arc_rate + rates.exit;
                 let deepening = (-(front.sin * front_turn) + patch.entry.sin()) / (front.rise * 2.0); // d ln z(θ)/dθ1
-                let normal_rate = normal * deepening * curve.exponent;
+                let normal_rate = normal * deepening * curve.exponent();
                 let strength_rate = normal_rate * patch.rolling.strength.tan_friction;
                 let front_rate = shearing.rate(&front, front_share, front_turn) * strength + front_share * strength_rate;
                 let rear_rate = shearing.rate(&rear, rear_share, rear_turn) * strength + rear_share * strength_rate;

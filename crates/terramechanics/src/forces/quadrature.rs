@@ -19,7 +19,7 @@
 
 use super::panel::{Integrals, Sums};
 use super::panels::{Edges, Resolved, TOLERANCE, integrate};
-use super::shearing::{LAYERS, Rim, Shearing};
+use super::shearing::{LAYERS, Pressing, Rim, Shearing};
 use super::{Components, ForceModel, Forces};
 use crate::numerics::gauss_legendre::{COARSE, FINE};
 use crate::numerics::lanes::Number;
@@ -36,7 +36,7 @@ pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>) -> Forces {
     let patch = stresses.patch;
     let rim = Rim::of(stresses);
     let integrals = match patch.zones() {
-        None => integrals::<_, { OneZone::FEW }>(&rim, &OneZone(patch)),
+        None => integrals::<_, _, { OneZone::FEW }>(&rim, &OneZone(patch)),
         Some(zones) => integrals_of_two_zones(&rim, &zones),
     };
     forces_of(model, patch, &integrals.integrals, integrals.relative_error())
@@ -75,8 +75,12 @@ pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>,
 }
 
 /// The forces of a contact whose shear stress follows a law of its own.
-pub(super) fn forces_by<S: Shearing, const FEW: usize>(model: &ForceModel, rim: &Rim<'_>, shearing: &S) -> Forces {
-    let integrals = integrals::<S, FEW>(rim, shearing);
+pub(super) fn forces_by<P: Pressing, S: Shearing<P>, const FEW: usize>(
+    model: &ForceModel,
+    rim: &Rim<'_, P>,
+    shearing: &S,
+) -> Forces {
+    let integrals = integrals::<P, S, FEW>(rim, shearing);
     forces_of(model, rim.patch, &integrals.integrals, integrals.relative_error())
 }
 
@@ -96,7 +100,7 @@ fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Integrals
 }
 
 /// The integrals, from at most `FEW` panels to begin with.
-fn integrals<S: Shearing, const FEW: usize>(rim: &Rim<'_>, shearing: &S) -> Sums {
+fn integrals<P: Pressing, S: Shearing<P>, const FEW: usize>(rim: &Rim<'_, P>, shearing: &S) -> Sums {
     integrate::<_, FEW>(
         &shearing.edges(rim),
         |from, to| dispatch!(Level::new(), simd => rim.sums(simd, &FINE, shearing, [from, to])),
@@ -107,17 +111,26 @@ fn integrals<S: Shearing, const FEW: usize>(rim: &Rim<'_>, shearing: &S) -> Sums
 #[cold]
 #[inline(never)]
 fn integrals_of_two_zones(rim: &Rim<'_>, zones: &Zones) -> Sums {
-    integrals::<_, { TwoZones::FEW }>(rim, &TwoZones(rim.patch, zones))
+    integrals::<_, _, { TwoZones::FEW }>(rim, &TwoZones(rim.patch, zones))
 }
 
 pub(super) struct OneZone<'a>(pub(super) &'a ContactPatch<'a>);
 
 impl OneZone<'_> {
     /// Panels to begin with at the most: parted by a layer of shear and two reversals.
-    const FEW: usize = 4;
+    pub(super) const FEW: usize = 4;
+
+    /// Ends of the panels but for the last one.
+    #[inline(always)]
+    pub(super) fn open_edges<P: Pressing>(&self, rim: &Rim<'_, P>) -> Edges {
+        let mut edges = Edges::new();
+        rim.split_layer(&mut edges, self.0.shear_layer());
+        rim.split_reversals(&mut edges);
+        edges
+    }
 }
 
-impl Shearing for OneZone<'_> {
+impl<P: Pressing> Shearing<P> for OneZone<'_> {
     #[inline(always)]
     fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F {
         self.0.mobilisation_of_one_zone(point)
@@ -134,11 +147,8 @@ impl Shearing for OneZone<'_> {
     }
 
     #[inline(always)]
-    fn edges(&self, rim: &Rim<'_>) -> Edges {
-        let mut edges = Edges::new();
-        rim.split_layer(&mut edges, self.0.shear_layer());
-        rim.split_reversals(&mut edges);
-        edges.close()
+    fn edges(&self, rim: &Rim<'_, P>) -> Edges {
+        self.open_edges(rim).close()
     }
 }
 

@@ -14,8 +14,41 @@ pub(super) const LAYERS: f64 = 20.0;
 /// Share of the range of u that the layer has to fall short of, to be split off; else the points resolve it.
 const THIN: f64 = 0.7;
 
+/// How the soil presses on the rim at a depth.
+pub(super) trait Pressing {
+    /// Normal stress (Pa) under a depth (m).
+    fn pressure(&self, depth: f64) -> f64;
+
+    /// The same in lanes, where the pressure (Pa) at the `deepest` depth (m) is known.
+    #[inline(always)]
+    fn pressures<F: Number>(&self, depth: F, _deepest: [f64; 2]) -> F {
+        depth.by_lane(|i| self.pressure(depth.lane(i)))
+    }
+
+    /// d ln σ/d ln z (–); NaN where it is not the same at all depths.
+    fn exponent(&self) -> f64 {
+        f64::NAN
+    }
+}
+
+impl Pressing for PressureCurve {
+    #[inline(always)]
+    fn pressure(&self, depth: f64) -> f64 {
+        PressureCurve::pressure(self, depth)
+    }
+
+    #[inline(always)]
+    fn pressures<F: Number>(&self, depth: F, [deepest, pressure]: [f64; 2]) -> F {
+        ((depth * (1.0 / deepest)).ln() * self.exponent).exp() * pressure // Eq. (1)
+    }
+
+    fn exponent(&self) -> f64 {
+        self.exponent
+    }
+}
+
 /// How the soil is sheared on the two sides of the peak. A type of its own for each law, so that neither pays for the other.
-pub(super) trait Shearing {
+pub(super) trait Shearing<P = PressureCurve> {
     /// E at a place ahead of the peak, and at one behind it.
     fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F;
     fn behind<F: Number>(&self, point: &RimPoint<F>) -> F;
@@ -27,13 +60,13 @@ pub(super) trait Shearing {
     }
 
     /// Ends of the panels: the ends of thin layers of shear, and the places where E is not smooth.
-    fn edges(&self, rim: &Rim<'_>) -> Edges;
+    fn edges(&self, rim: &Rim<'_, P>) -> Edges;
 }
 
 /// The arcs of a contact.
-pub(super) struct Rim<'a> {
+pub(super) struct Rim<'a, P = PressureCurve> {
     pub(super) patch: &'a ContactPatch<'a>,
-    pub(super) curve: &'a PressureCurve,
+    pub(super) curve: &'a P,
     /// θ1 − θm, θm − θ2 and θ1 − θ2.
     pub(super) front: f64,
     pub(super) rear: f64,
@@ -43,7 +76,13 @@ pub(super) struct Rim<'a> {
 
 impl<'a> Rim<'a> {
     pub(super) fn of(stresses: &StressField<'a>) -> Self {
-        let StressField { patch, curve } = *stresses;
+        Self::pressed(stresses.patch, stresses.curve)
+    }
+}
+
+impl<'a, P: Pressing> Rim<'a, P> {
+    /// The rim in a contact, pressed by the soil as `curve` says.
+    pub(super) fn pressed(patch: &'a ContactPatch<'a>, curve: &'a P) -> Self {
         let Angles { entry, peak, exit } = patch.angles;
         Self { patch, curve, front: entry - peak, rear: peak - exit, whole: entry - exit, entry: EntryArc::of(entry) }
     }

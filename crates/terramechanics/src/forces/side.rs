@@ -27,7 +27,7 @@ pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>, side: &Side
     let along = if side.coupling == ShearCoupling::Independent || side.angle.sign() == 0.0 {
         quadrature::forces(model, stresses)
     } else {
-        quadrature::forces_by::<_, FEW>(model, &rim, &Coupled { patch, side })
+        quadrature::forces_by::<_, _, FEW>(model, &rim, &Coupled { patch, side })
     };
     let (force, error) = side_force(&rim, side);
     Forces { integration_error: along.integration_error.max(error), side: Some(force), ..along }

@@ -27,7 +27,8 @@ const SMALLEST_WIDTH_RATIO: f64 = 2.0;
 pub(crate) static SMALL_WHEEL: CautionKind = CautionKind {
     code: "small_wheel",
     meaning: "Bekker's law was made for large plates and wheels and loses accuracy under small ones.",
-    advice: "Use the law `diameter`, which corrects for the wheel size.",
+    advice: "Use moduli that were fitted to a plate or a wheel of about this size. Where load and sinkage are measured, the \
+             coupled forms need no moduli.",
     parameter: Some(&Wheel::RADIUS),
     range: Some(TestedRange {
         quantity: "diameter",

@@ -28,7 +28,7 @@ impl Soil {
         name: "granular_stiffness_n_m3",
         symbol: "ξ",
         unit: "N/m3",
-        meaning: "Granular stiffness of the resistive force method; from density, gravity and friction unless given.",
+        meaning: "Granular stiffness, for the resistive force method; from density, gravity and friction unless given.",
         requirement: Requirement::Positive,
         least: 1e-3,
         most: 1e15,

@@ -114,8 +114,7 @@ impl Tracker {
             torque: Some(motion.heading.as_forward(measured.torque)),
             normal_stress_radius: self.operation.model.normal_stress_radius,
         };
-        let rolling = self.operation.system.rolling(motion.slip);
-        let forces = rolling.and_then(|rolling| known.forces(&rolling.contact(sinkage)?));
-        forces.map_err(Uncoupled::Unsolved)
+        let found = known.at(&self.operation.system, motion.slip, sinkage);
+        found.map(|(_, forces)| forces).map_err(Uncoupled::Unsolved)
     }
 }

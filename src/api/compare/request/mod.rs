@@ -6,18 +6,19 @@ use terramechanics::{ForceModel, Method, Operation, Slip};
 use terramechanics_reading::{Faults, Field, FieldFault, Figures, Object, Reader, Scope, Words};
 
 use crate::request::axis::{self, SLIP_OR_SLIPS};
-use crate::request::method::{BRAKING, ClosedForms, LAMBDAS, METHODS, MethodName, STRESSES, takes_two_zones};
+use crate::request::circles::CIRCLES;
+use crate::request::method::{
+    BRAKING, ClosedForms, LAMBDAS, LETTER_METHODS, METHODS, MethodName, STRESSES, needs_of_all, takes_two_zones,
+};
 use crate::request::sinkage::{self, SINKAGE};
-use crate::request::soil::Needs;
 use crate::request::system::{self, SYSTEM};
 use crate::request::{Documented, Request, operation};
-use crate::words::HINTS;
 use variant::VARIANTS;
 
 const METHODS_FIELD: Field<Words<MethodName>> = Field::new(
     "methods",
-    "The methods to compare, all different; the other series are compared with that of the first.",
-    Words { word: METHODS, most: 3, all_unless_given: true },
+    "The methods to compare, all different; the other series are compared with that of the first. Those of the letter unless given: `resistive_force` asks other values of the soil.",
+    Words { word: METHODS, most: METHODS.words.len(), first_unless_given: LETTER_METHODS },
 );
 
 /// Operating points of all series, with those of the quadrature where it is not among the methods.
@@ -38,10 +39,12 @@ pub(crate) struct Variation {
 }
 
 impl Variation {
-    /// The quadrature of the variation, where it is not among the operations.
+    /// The quadrature of the variation, where it is not among the operations and the soil has the laws that it needs.
     pub(crate) fn quadrature_beside(&self) -> Option<Operation> {
         let is_there = self.operations.iter().any(|operation| operation.model.method == Method::Quadrature);
         let first = self.operations.first().filter(|_| !is_there)?;
+        let soil = first.system.soil;
+        soil.shear().and(soil.pressure_sinkage().map(|_| ()))?;
         Some(Operation { model: ForceModel { method: Method::Quadrature, ..first.model }, ..*first })
     }
 }
@@ -60,7 +63,7 @@ impl Request for CompareCase {
     const OBJECT: &'static Object = &Object {
         name: "CompareRequest",
         doc: "The forces at one slip, or over a range or a list of slips, by several methods and laws at once. The fields are those of a slip sweep straight ahead, with `methods` for `method`; `slip` may be one number. Every method is applied to the request as it stands and to each of its `variants`; with all their series, and the quadrature where it is not among the methods, there may be 100000 operating points.",
-        groups: &[SYSTEM, &[&SLIP_OR_SLIPS], SINKAGE, &[&METHODS_FIELD], STRESSES, BRAKING, LAMBDAS, &[&VARIANTS]],
+        groups: &[SYSTEM, CIRCLES, &[&SLIP_OR_SLIPS], SINKAGE, &[&METHODS_FIELD], STRESSES, BRAKING, LAMBDAS, &[&VARIANTS]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
@@ -94,21 +97,24 @@ impl Request for CompareCase {
 
 /// The operations of the request as it stands, and what is wrong with them.
 fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFault>) {
-    let faults = Faults::new(&HINTS);
+    let faults = Faults::apart(object.place());
     let operations = operations(&object.at(Scope::root(&faults)), None);
+    object.place().assume_all(faults.assumptions().unwrap_or_default());
     (operations, faults.into_list())
 }
 
 /// The operations by every method, with the laws that `variant` has in place of the soil's own.
 fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<Vec<Operation>> {
-    let system = system::read_varied(object, variant, Needs::ALL);
+    let needs = operation::beside_load(object, needs_of_all(object, &METHODS_FIELD));
+    let system = system::read_varied(object, variant, needs);
     let found = operation::read_with(object, system, sinkage::read, |_, _| Some(Method::Quadrature));
     let closed_forms = ClosedForms::read(object, found.peak_depth);
     let methods = object.or_default(&METHODS_FIELD);
-    let operation = found.operation?;
+    let (operation, soil) = (found.operation?, found.soil?);
     let by_method = |name: MethodName| {
         let method = closed_forms.method(name);
-        let is_taken = takes_two_zones(object, method, &operation.system.contact);
+        let has_law = operation::has_its_law(object, &method, &soil);
+        let is_taken = has_law && takes_two_zones(object, method, &operation.system.contact);
         is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
     };
     methods?.into_iter().map(by_method).collect()

@@ -3,11 +3,11 @@
 use terramechanics::{Braking, NormalStressRadius, Operation};
 use terramechanics_reading::{Faults, Field, FieldFault, Label, Object, Objects, Reader, Scope, Tagged, Word};
 
+use crate::request::circles::VARIED_CIRCLES;
 use crate::request::method::{BRAKING_FIELD, BRAKING_LAWS, NORMAL_STRESS_RADIUS};
 use crate::request::sinkage::SLIP_SINKAGE;
 use crate::request::soil::{VARIED_PRESSURE_SINKAGE, VARIED_SHEAR};
 use crate::request::system::CONTACT;
-use crate::words::HINTS;
 
 const NAME: Field<Label> =
     Field::required("name", "What the variant is called in the answer; no other has the same name.", Label);
@@ -22,15 +22,10 @@ const VARIED_RADIUS: Field<Word<NormalStressRadius>> =
 const VARIANT: Object = Object {
     name: "CompareVariant",
     doc: "The request with other laws: what stands here takes the place of the request's own.",
-    groups: &[&[
-        &NAME,
-        &VARIED_SHEAR,
-        &VARIED_PRESSURE_SINKAGE,
-        &VARIED_CONTACT,
-        &VARIED_SLIP_SINKAGE,
-        &VARIED_BRAKING,
-        &VARIED_RADIUS,
-    ]],
+    groups: &[
+        &[&NAME, &VARIED_SHEAR, &VARIED_PRESSURE_SINKAGE, &VARIED_CONTACT, &VARIED_SLIP_SINKAGE, &VARIED_BRAKING, &VARIED_RADIUS],
+        VARIED_CIRCLES,
+    ],
 };
 pub(super) const VARIANTS: Field<Objects> = Field::new(
     "variants",
@@ -55,7 +50,7 @@ pub(super) fn operations(
     (variant, index): (&Reader<'_>, usize),
     faults: &[FieldFault],
 ) -> Option<Vec<Operation>> {
-    let found = Faults::new(&HINTS);
+    let found = Faults::apart(request.place());
     let root = Scope::root(&found);
     let list = root.field(VARIANTS.name).item(index);
     let own = format!("{}/", list.pointer());
@@ -63,6 +58,7 @@ pub(super) fn operations(
         let varying = variant.at(list);
         super::operations(&request.at(root).overlaid(&varying), Some(&varying))
     };
+    request.place().assume_all(found.assumptions().unwrap_or_default());
     for fault in found.into_list() {
         if fault.pointer.starts_with(&own) {
             request.place().pass_on(fault);

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use terramechanics_identification::{Bound, Fit, FitOptions, Observations, Setup, fit_while};
+use terramechanics_identification::{Bound, Fit, FitOptions, Observations, Setup, Unknown, fit_while};
 
 use crate::api::identify::request::{FitCase, column_name, fit_fault};
 use crate::compute::Pace;
@@ -62,8 +62,18 @@ fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = system_warnings(&found.setup.wheel, &found.setup.soil).collect();
     warnings.extend(findings.into_iter().map(Warning::from));
     warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base)));
+    warnings.extend(of_the_interface(query));
     if query.law_replaced {
         warnings.push(Finding::LawReplaced {}.into());
     }
     warnings
+}
+
+/// That what was fitted to a bare rim may be its interface with the soil, where the contact has none of its own.
+fn of_the_interface(FitCase { setup, sought, .. }: &FitCase) -> Option<Warning> {
+    let of_shear = [Unknown::COHESION, Unknown::FRICTION_ANGLE, Unknown::SHEAR_MODULUS];
+    let is_bare = setup.wheel.lug_height() == 0.0 && setup.contact.interface.is_none();
+    let parameters: Vec<&'static str> =
+        sought.iter().map(|sought| sought.unknown).filter(|unknown| of_shear.contains(unknown)).map(Unknown::name).collect();
+    (is_bare && !parameters.is_empty()).then(|| Finding::MayBeTheInterface { parameters }.into())
 }

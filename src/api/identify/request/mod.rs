@@ -12,11 +12,13 @@ use terramechanics_reading::{Field, FieldFault, Number, Object, Reader, Tagged, 
 
 use self::data::{DATA, STANDARD_DEVIATION};
 use self::setup::Found;
+use crate::request::assume::ASSUME;
+use crate::request::circles::CIRCLES;
 use crate::request::fitted_law;
 use crate::request::unknowns::{self, BOUNDS_FIELD, By, NAMES, START};
 pub(crate) use data::column_name;
 
-use crate::request::method::{LAMBDAS, METHOD, STRESSES};
+use crate::request::method::{LAMBDAS, METHOD_OF_FIT, STRESSES};
 use crate::request::sinkage::SLIP_SINKAGE;
 use crate::request::soil::LawOrigin;
 use crate::request::system::{CONTACT, SOIL, WHEEL};
@@ -30,7 +32,7 @@ const PARTIAL_SOIL: Field<&Object> = Field {
 const SLIP_SINKAGE_OF_FIT: Field<&Tagged> =
     Field { meaning: "Slip–sinkage law where static_sinkage_m is fitted; lyasko unless given.", ..SLIP_SINKAGE };
 const FIT: Field<Words<Unknown>> =
-    Field::required("fit", "The parameters to find.", Words { word: NAMES, most: NAMES.words.len(), all_unless_given: false });
+    Field::required("fit", "The parameters to find.", Words { word: NAMES, most: NAMES.words.len(), first_unless_given: 0 });
 const STARTS: Field<Number> = Field::new(
     "starts",
     "Number of starts to try; further ones are spread over the values of known soils.",
@@ -93,8 +95,9 @@ impl Request for IdentifyCase {
         name: "IdentifyRequest",
         doc: "Measurements of a wheel, and which parameters to find from them; what is not fitted has to be known; what is fitted may be left out of the soil and the contact.",
         groups: &[
-            &[&WHEEL, &PARTIAL_SOIL, &CONTACT],
-            METHOD,
+            &[&WHEEL, &PARTIAL_SOIL, &CONTACT, &ASSUME],
+            CIRCLES,
+            &[&METHOD_OF_FIT],
             STRESSES,
             LAMBDAS,
             &[&SLIP_SINKAGE_OF_FIT, &FIT, &DATA, &STANDARD_DEVIATION, &START, &BOUNDS_FIELD, &STARTS, &LOSS, &ESTIMATOR],
@@ -125,7 +128,7 @@ impl Request for IdentifyCase {
             return linear::check(object, &fitted, &case).then(|| Self::Linear(Box::new(case)));
         }
         let sought: Option<Vec<Sought>> =
-            fitted.iter().enumerate().map(|(i, &unknown)| sought_of(object, (i, unknown), &setup, &starts, &bounds)).collect();
+            (0..fitted.len()).map(|i| sought_of(object, (i, &fitted), &setup, &starts, &bounds)).collect();
         let (sought, observations) = (sought?, observations?);
         check_columns(object, &data?, &setup, &observations)?;
         let options = FitOptions { starts: count? as u32, loss: loss?, evaluations: EVALUATIONS, until: None };
@@ -142,11 +145,12 @@ fn observations(object: &Reader<'_>, data: &Reader<'_>, wheel: Option<&Wheel>) -
 /// One parameter with its bounds and its start.
 fn sought_of(
     object: &Reader<'_>,
-    (i, unknown): (usize, Unknown),
+    (i, fitted): (usize, &[Unknown]),
     setup: &Setup,
     starts: &By<f64>,
     bounds: &By<Range>,
 ) -> Option<Sought> {
+    let unknown = *fitted.get(i)?;
     let Some(known) = unknown.value(setup) else {
         object.place_of(&FIT).item(i).fault(format_args!(
             "the law, the contact or the method of the request has no `{}`{}",
@@ -157,7 +161,13 @@ fn sought_of(
     };
     let given = unknowns::of(starts, unknown);
     let start = given.unwrap_or(known);
-    let usual = unknown.bounds();
+    let usual = within_soil(unknown, setup, fitted);
+    if usual.upper <= usual.lower {
+        let detail =
+            format_args!("an interface has at most the strength of the soil, and this one has none: `{}` is 0", unknown.name());
+        object.place_of(&FIT).item(i).fault(detail);
+        return None;
+    }
     // A start outside what is usual widens it.
     let widened = Range::new(usual.lower.min(start), usual.upper.max(start));
     let bounds = unknowns::of(bounds, unknown).unwrap_or(widened);
@@ -167,6 +177,18 @@ fn sought_of(
     }
     // What is known of the soil is only a hint; where the bounds exclude it the search begins at the nearer one.
     Some(Sought { unknown, bounds, start: start.clamp(bounds.lower, bounds.upper) })
+}
+
+/// The bounds of an unknown; those of an interface end at the strength of the soil, where that is known.
+fn within_soil(unknown: Unknown, setup: &Setup, fitted: &[Unknown]) -> Range {
+    let usual = unknown.bounds();
+    let soils = match unknown {
+        Unknown::INTERFACE_FRICTION_ANGLE => Unknown::FRICTION_ANGLE,
+        Unknown::INTERFACE_ADHESION => Unknown::COHESION,
+        _ => return usual,
+    };
+    let strength = soils.value(setup).filter(|_| !fitted.contains(&soils));
+    Range::new(usual.lower, strength.map_or(usual.upper, |strength| usual.upper.min(strength)))
 }
 
 /// Whether the columns serve the source of the sinkage, and something is left to be fitted.
@@ -215,6 +237,7 @@ pub(crate) fn refusal_pointer(row: usize, error: &Error, source: &SinkageSource)
             format!("/data/normal_force_n/{row}")
         }
         Error::PeakOutsideContact { .. } => "/contact".to_owned(),
+        Error::InterfaceBeyondSoil { .. } => "/contact/interface".to_owned(),
         Error::ModulusNotPositive { .. } | Error::ExponentNotPositive { .. } => "/soil".to_owned(),
         _ => "/data".to_owned(),
     }

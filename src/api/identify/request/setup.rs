@@ -1,11 +1,12 @@
 //! The forward model of a fit: what is known of it, and the starts of what is fitted.
 
-use terramechanics::{Contact, ContactParams, ForceModel, PeakRule, SlipSinkage, Wheel, WongReece};
-use terramechanics_identification::{Setup, SinkageSource, Unknown};
+use terramechanics::{Contact, ContactParams, ForceModel, PeakRule, SlipSinkage, SoilParams, Wheel, WongReece};
+use terramechanics_identification::{Home, Setup, SinkageSource, Unknown};
 use terramechanics_reading::Reader;
 
 use super::data::{DATA, NORMAL, SINKAGE};
 use super::{PARTIAL_SOIL, SLIP_SINKAGE_OF_FIT};
+use crate::request::circles;
 use crate::request::fitted_law;
 use crate::request::method::{self, NORMAL_STRESS_RADIUS, PEAK_SINKAGE};
 use crate::request::sinkage;
@@ -47,17 +48,17 @@ pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reade
     let needs = Needs { pressure_sinkage: sought.needs_law, fitted: &start_of, ..Needs::ALL };
     let wheel = system::read_wheel(object);
     let soil = read_soil(object, sought, needs);
-    let contact = system::read_contact(object, soil.as_ref(), needs);
+    let contact = system::read_contact(object, soil.as_ref(), circles::read(object), needs);
     let peak_depth = object.optional(&PEAK_SINKAGE);
     let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
-    let method = method::read(object, peak_depth.flatten());
+    let method = method::read_fitted(object, peak_depth.flatten());
     let source = sinkage_source(object, sought, data);
     let setup = || {
         peak_depth?;
         Some(Setup {
             wheel: wheel?,
             soil: *soil?.soil.params(),
-            contact: contact_params(object, &contact?, sought),
+            contact: with_interface(contact_params(object, &contact?, sought), soil?.soil.params(), sought),
             model: ForceModel { method: method?, normal_stress_radius: normal_stress_radius? },
             sinkage: source?,
         })
@@ -89,6 +90,22 @@ fn contact_params(object: &Reader<'_>, contact: &Contact, sought: &Sought<'_>) -
         }
         _ => params,
     }
+}
+
+/// The contact with an interface that has what is fitted of one. It starts at what was sent, else at a usual value that the soil allows.
+fn with_interface(params: ContactParams, soil: &SoilParams, sought: &Sought<'_>) -> ContactParams {
+    let of_interface = sought.fitted.iter().copied().filter(|unknown| unknown.home() == Home::Interface);
+    let interface = of_interface.fold(params.interface, |interface, unknown| {
+        let most = match unknown {
+            Unknown::INTERFACE_FRICTION_ANGLE => soil.friction_angle,
+            Unknown::INTERFACE_ADHESION => soil.cohesion,
+            _ => f64::INFINITY,
+        };
+        let known = interface.and_then(|interface| interface.fitted(unknown.name()));
+        let start = unknowns::of(sought.starts, unknown).or(known).unwrap_or_else(|| unknown.typical().min(most));
+        Some(interface.unwrap_or_default().with_fitted(unknown.name(), start))
+    });
+    ContactParams { interface, ..params }
 }
 
 /// Where the sinkage of a sample comes from.

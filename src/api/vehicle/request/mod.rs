@@ -1,0 +1,120 @@
+//! The request of `/v1/vehicle`.
+
+mod ruts;
+mod slopes;
+mod stations;
+
+pub(crate) use slopes::Slopes;
+
+use terramechanics::{ForceModel, STANDARD_GRAVITY, Vehicle, VehicleError, VehicleParams, Velocities};
+use terramechanics_reading::{Field, Number, Object, Reader};
+
+use crate::request::assume::ASSUME;
+use crate::request::circles::CIRCLES;
+use crate::request::laws::{field, field_or_default, number};
+use crate::request::method::{self, LAMBDAS, METHOD, METHOD_FIELD, NORMAL_STRESS_RADIUS, PEAK_SINKAGE, STRESSES};
+use crate::request::system::CONTACT;
+use crate::request::{Documented, Request};
+use ruts::{RUT, UNLOADING};
+use slopes::SLOPE;
+use stations::{CENTRE_OF_MASS, FoundStations, SOIL, STATIONS, WHEELS};
+
+const MASS: Field<Number> = Field::required(Vehicle::MASS.name, "Mass m of the rover (kg).", number(&Vehicle::MASS));
+const GRAVITY: Field<Number> = field(
+    &Vehicle::GRAVITY,
+    "Gravity g where the rover drives (m/s²); that of the soil unless given, else the Earth's. Weights of the soil follow it.",
+);
+const HITCH_PULL: Field<Number> = field_or_default(
+    &Vehicle::HITCH_PULL,
+    "Pull D (N) that the rover gives at its hitch, along the slope and at the height of the ground.",
+);
+const SLIP_LIMIT: Field<Number> = Field::new(
+    Vehicle::SLIP_LIMIT.name,
+    "Largest slip at which the rover counts as climbing.",
+    number(&Vehicle::SLIP_LIMIT).share().or(0.6),
+);
+const FORWARD_VELOCITY: Field<Number> = Field::new(
+    Velocities::FORWARD.name,
+    "Velocity v of the rover (m/s), for the power.",
+    Number::new("m/s", 0.0, Velocities::FORWARD.most),
+);
+
+/// A rover and its slopes, checked.
+pub(crate) struct VehicleCase {
+    pub(crate) vehicle: Vehicle,
+    /// Whether each station has a soil of its own.
+    pub(crate) have_own_soil: Vec<bool>,
+    pub(crate) slopes: Slopes,
+    pub(crate) hitch_pull: f64,
+    pub(crate) slip_limit: f64,
+    pub(crate) velocity: Option<f64>,
+}
+
+pub(super) type VehicleRequest = Documented<VehicleCase>;
+
+impl Request for VehicleCase {
+    const OBJECT: &'static Object = &Object {
+        name: "VehicleRequest",
+        doc: "A rover that drives straight up a slope, all wheels at one slip. Its wheels are given in one of two ways, `wheels` or `stations`.",
+        groups: &[
+            &[
+                &MASS,
+                &GRAVITY,
+                &WHEELS,
+                &STATIONS,
+                &SOIL,
+                &CONTACT,
+                &CENTRE_OF_MASS,
+                &SLOPE,
+                &HITCH_PULL,
+                &SLIP_LIMIT,
+                &FORWARD_VELOCITY,
+                &RUT,
+                &UNLOADING,
+                &ASSUME,
+            ],
+            CIRCLES,
+            METHOD,
+            STRESSES,
+            LAMBDAS,
+        ],
+    };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        let (mass, gravity) = (object.required(&MASS), object.optional(&GRAVITY));
+        let stations = stations::read(object);
+        let centre_of_mass = stations::centre_of_mass(object);
+        let slopes = slopes::read(object);
+        let (hitch_pull, slip_limit) = (object.or_default(&HITCH_PULL), object.or_default(&SLIP_LIMIT));
+        let velocity = object.optional(&FORWARD_VELOCITY);
+        let unloading = ruts::read(object);
+        let peak_depth = object.optional(&PEAK_SINKAGE);
+        let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
+        let method = method::read(object, peak_depth.flatten());
+        peak_depth?;
+        let model = ForceModel { method: method?, normal_stress_radius: normal_stress_radius? };
+        let FoundStations { stations, have_own_soil } = stations?;
+        let of_soil = stations.first().and_then(|station| station.system.soil.gravity());
+        let gravity = gravity?.or(of_soil).unwrap_or(STANDARD_GRAVITY);
+        let (centre_of_mass, unloading) = (centre_of_mass?, unloading?);
+        let params = VehicleParams { mass: mass?, gravity, stations, centre_of_mass, model, unloading };
+        let vehicle = Vehicle::new(params).map_err(|error| report(object, &error)).ok()?;
+        let (hitch_pull, slip_limit) = (hitch_pull?, slip_limit?);
+        Some(Self { vehicle, have_own_soil, slopes: slopes?, hitch_pull, slip_limit, velocity: velocity? })
+    }
+}
+
+/// Reports why parts that are each right make no rover.
+fn report(object: &Reader<'_>, error: &VehicleError) {
+    let place = match error {
+        VehicleError::NoBase => object.place_of(&CENTRE_OF_MASS),
+        VehicleError::NoOrder => object.place_of(&RUT),
+        VehicleError::RutByOtherMethod => object.place_of(&METHOD_FIELD),
+        VehicleError::NoWheels => object.place_of(&STATIONS),
+        VehicleError::Invalid(_) => object.place_of(&GRAVITY),
+        VehicleError::Lifted { .. } | VehicleError::NotClimbed { .. } | VehicleError::Wheel { .. } => {
+            return object.place().fault(error);
+        }
+    };
+    place.fault(error);
+}

@@ -1,0 +1,252 @@
+//! What stands in for values that were never published: the median of what other entries have, or a law of a named soil.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use serde::Serialize;
+use terramechanics::{JanosiHanamoto, Parameter, PressureSinkage, Soil, Wheel};
+use utoipa::ToSchema;
+
+use super::record::{Grade, SoilRecord, Values, WheelRecord};
+use super::{soil, soils, wheels};
+
+/// A value that a request takes with `"assume": true` where none was published.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+#[schema(as = CatalogueSubstitute)]
+pub(crate) struct Substitute {
+    /// The field, with a dot between an object and its field.
+    #[schema(example = "shear_modulus_m")]
+    pub(crate) field: String,
+    /// The value, in SI units.
+    pub(crate) value: f64,
+    /// Its unit by UCUM, save where an exponent is in it.
+    pub(crate) unit: &'static str,
+    /// Where the value comes from.
+    pub(crate) reason: String,
+    /// The smallest published value that it was chosen from.
+    pub(crate) low: f64,
+    /// The largest one.
+    pub(crate) high: f64,
+}
+
+impl Substitute {
+    /// Whether it is for that parameter of a pressure–sinkage law.
+    pub(crate) fn is_of_law(&self, parameter: &str) -> bool {
+        self.field.split_once('.') == Some((LAW, parameter))
+    }
+}
+
+/// The field of a soil that has the law.
+const LAW: &str = "pressure_sinkage";
+
+/// Substitutes by the name of the entry.
+type ByEntry = BTreeMap<&'static str, Vec<Substitute>>;
+
+static OF_SOILS: LazyLock<ByEntry> =
+    LazyLock::new(|| soils().iter().map(|record| (record.id.as_str(), of_soil(record))).collect());
+static OF_WHEELS: LazyLock<ByEntry> =
+    LazyLock::new(|| wheels().iter().map(|record| (record.id.as_str(), of_wheel(record))).collect());
+
+impl SoilRecord {
+    /// What stands in for its missing values.
+    pub(crate) fn substitutes(&self) -> &'static [Substitute] {
+        OF_SOILS.get(self.id.as_str()).map_or(&[], Vec::as_slice)
+    }
+
+    /// The soil whose pressure–sinkage law stands in for its own, if it has no whole one.
+    pub(crate) fn lender(&self) -> Option<&'static SoilRecord> {
+        soil(&self.law_substitute.as_ref()?.soil)
+    }
+}
+
+impl WheelRecord {
+    /// What stands in for its missing values.
+    pub(crate) fn substitutes(&self) -> &'static [Substitute] {
+        OF_WHEELS.get(self.id.as_str()).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The median of numbers in ascending order; of an even number of them, the mean of the two in the middle.
+fn median(ascending: &[f64]) -> Option<f64> {
+    let upper = ascending.get(ascending.len() / 2)?;
+    let lower = ascending.get(ascending.len().checked_sub(1)? / 2)?;
+    Some(0.5 * (lower + upper))
+}
+
+/// The middle and the ends of numbers, and how many there are.
+struct Spread {
+    count: usize,
+    median: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Spread {
+    fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        Some(Self { count: values.len(), median: median(&values)?, low: *values.first()?, high: *values.last()? })
+    }
+
+    /// What the value is: the median of `what` over entries, or that of the only one there is.
+    fn in_words(&self, what: &str, [one, several]: [&str; 2], which: &str) -> String {
+        match self.count {
+            1 => format!("{what} of the one {one} {which} that publishes it"),
+            count => format!("median {what} of the {count} {several} {which} that publish it"),
+        }
+    }
+}
+
+/// What was published of a value by those who measured or quoted it. What was itself assigned from elsewhere does not count.
+fn founded(values: &Values, grade: Grade, name: &str) -> Option<f64> {
+    values.get(name).filter(|value| value.grade.unwrap_or(grade) != Grade::Proxy).map(|value| value.value)
+}
+
+/// What stands in for the missing values of a soil.
+fn of_soil(record: &SoilRecord) -> Vec<Substitute> {
+    let own = [Soil::COHESION, Soil::FRICTION_ANGLE, JanosiHanamoto::MODULUS];
+    let lacking = own.into_iter().filter(|parameter| record.number(parameter.name).is_none());
+    let mut found: Vec<Substitute> = lacking.filter_map(|parameter| of_other_soils(record, &parameter)).collect();
+    found.extend(of_lender(record));
+    found
+}
+
+/// The median of a value over the soils of the same kind, else over all.
+fn of_other_soils(record: &SoilRecord, parameter: &Parameter) -> Option<Substitute> {
+    let published = |of_kind: bool| {
+        let alike = soils().iter().filter(move |other| !of_kind || other.kind == record.kind);
+        Spread::of(alike.filter_map(|other| founded(&other.values, other.grade, parameter.name)))
+    };
+    let in_words = |spread: &Spread, which: &str| spread.in_words("value", ["soil", "soils"], which);
+    let of_kind = published(true).map(|spread| (in_words(&spread, &format!("of the kind `{}`", record.kind)), spread));
+    let (reason, spread) = of_kind.or_else(|| {
+        let spread = published(false)?;
+        Some((format!("{}; none of the kind `{}` does", in_words(&spread, "of the catalogue"), record.kind), spread))
+    })?;
+    Some(Substitute {
+        field: parameter.name.to_owned(),
+        value: spread.median,
+        unit: parameter.unit,
+        reason,
+        low: spread.low,
+        high: spread.high,
+    })
+}
+
+/// The law of another soil, whole: moduli belong to their exponent.
+fn of_lender(record: &SoilRecord) -> Vec<Substitute> {
+    let (Some(lender), Some(chosen)) = (record.lender(), &record.law_substitute) else { return Vec::new() };
+    let Some(law) = lender.law.as_deref().and_then(PressureSinkage::named) else { return Vec::new() };
+    let of_law = |parameter: &'static Parameter| {
+        let value = lender.number(parameter.name)?;
+        let others = soils().iter().filter(|other| other.law == lender.law && other.kind == lender.kind);
+        let spread = Spread::of(others.filter_map(|other| other.number(parameter.name)))?;
+        Some(Substitute {
+            field: format!("{LAW}.{}", parameter.name),
+            value,
+            unit: parameter.unit,
+            reason: format!(
+                "from the law `{}` of `{}`, taken as a whole because moduli belong to their exponent; {}",
+                law.name, lender.id, chosen.reason
+            ),
+            low: spread.low,
+            high: spread.high,
+        })
+    };
+    law.parameters.iter().filter_map(of_law).collect()
+}
+
+/// What stands in for the missing values of a wheel.
+fn of_wheel(record: &WheelRecord) -> Vec<Substitute> {
+    let mut found: Vec<Substitute> = width(record).into_iter().collect();
+    if record.assumes(Wheel::LUG_HEIGHT.name) {
+        let alike = wheels().iter().filter(|other| other.kind == record.kind);
+        let spread = Spread::of(alike.filter_map(|other| founded(&other.values, other.grade, Wheel::LUG_HEIGHT.name)));
+        found.push(Substitute {
+            field: Wheel::LUG_HEIGHT.name.to_owned(),
+            value: 0.0,
+            unit: Wheel::LUG_HEIGHT.unit,
+            reason:
+                "the wheel has or may have lugs of unknown height and is computed as smooth unless a request gives their height"
+                    .to_owned(),
+            low: 0.0,
+            high: spread.map_or(0.0, |spread| spread.high),
+        });
+    }
+    found
+}
+
+/// The width by the shape of other wheels: their width over their radius.
+fn width(record: &WheelRecord) -> Option<Substitute> {
+    let (None, Some(radius)) = (record.number(Wheel::WIDTH.name), record.number(Wheel::RADIUS.name)) else { return None };
+    let shape = |other: &WheelRecord| {
+        let of = |name: &str| founded(&other.values, other.grade, name);
+        Some(of(Wheel::WIDTH.name)? / of(Wheel::RADIUS.name)?)
+    };
+    let spread = Spread::of(wheels().iter().filter(|other| other.kind == record.kind).filter_map(shape))?;
+    let which = format!("of the kind `{}`", record.kind);
+    Some(Substitute {
+        field: Wheel::WIDTH.name.to_owned(),
+        value: radius * spread.median,
+        unit: Wheel::WIDTH.unit,
+        reason: format!("its radius times the {}", spread.in_words("width over radius", ["wheel", "wheels"], &which)),
+        low: radius * spread.low,
+        high: radius * spread.high,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_median_is_in_the_middle() {
+        assert_eq!(
+            [median(&[]), median(&[3.0]), median(&[1.0, 2.0]), median(&[1.0, 2.0, 9.0])],
+            [None, Some(3.0), Some(1.5), Some(2.0)]
+        );
+    }
+
+    /// What a request would have to add is what is proposed, and within the range that is told.
+    #[test]
+    fn every_missing_value_has_a_substitute() {
+        let mut count = 0;
+        for (id, missing, substitutes) in soils()
+            .iter()
+            .map(|record| (&record.id, record.missing(), record.substitutes()))
+            .chain(wheels().iter().map(|record| (&record.id, record.missing(), record.substitutes())))
+        {
+            for name in missing {
+                let of_name = |one: &&Substitute| one.field == name || one.field.split('.').next() == Some(name);
+                let found: Vec<_> = substitutes.iter().filter(of_name).collect();
+                assert!(!found.is_empty(), "{id} lacks {name}");
+                for one in found {
+                    assert!(one.low <= one.value && one.value <= one.high, "{id}: {one:?}");
+                    count += 1;
+                }
+            }
+        }
+        assert!(count > 60, "{count}");
+    }
+
+    /// Of three moduli of snow two are guesses by a guideline, and so is the only one of a Martian soil.
+    #[test]
+    fn values_that_were_assigned_from_elsewhere_do_not_count() {
+        let of = |id: &str| {
+            let record = soil(id).expect("a soil");
+            record.substitutes().iter().find(|one| one.field == "shear_modulus_m").expect("a substitute").clone()
+        };
+        let snow = of("wong-snow-harrison");
+        assert_eq!([snow.low, snow.value, snow.high], [0.02; 3]);
+        assert!(of("mars-vl1-drift").reason.contains("none of the kind `martian`"));
+    }
+
+    #[test]
+    fn a_lent_law_is_whole_and_comes_from_a_soil_that_has_its_own() {
+        for record in soils() {
+            assert_eq!(record.pressure_sinkage().is_none(), record.law_substitute.is_some(), "{}", record.id);
+            let Some(lender) = record.lender() else { continue };
+            assert!(lender.pressure_sinkage().is_some() && lender.law_substitute.is_none());
+        }
+    }
+}
