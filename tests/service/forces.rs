@@ -108,6 +108,9 @@ fn velocities_give_the_slip_and_a_wheel_that_turns_backwards_is_the_mirror_image
     assert!(moving(0.1, -1.0).fault("/angular_velocity_rad_s").contains("opposite signs"));
 }
 
+/// Share of the load to which a solved sinkage and its forces agree: the search ends with a step in which the forces are linear.
+const SOLVED: f64 = 1e-12;
+
 #[test]
 fn the_sinkage_comes_from_the_slip_or_carries_a_load() {
     let from_static = post("/v1/forces", &with(&letter(), json!({"sinkage_m": null, "static_sinkage_m": 0.01}))).ok();
@@ -118,7 +121,8 @@ fn the_sinkage_comes_from_the_slip_or_carries_a_load() {
         assert!((number(&carried, "normal_force_n") - 80.0).abs() < 1e-9, "{method}");
         let z = &carried["sinkage_m"];
         let again = post("/v1/forces", &with(&letter(), json!({"sinkage_m": z, "method": method}))).ok();
-        assert_eq!(carried["longitudinal_force_n"], again["longitudinal_force_n"], "{method}");
+        let (pull, same) = (number(&carried, "longitudinal_force_n"), number(&again, "longitudinal_force_n"));
+        assert!((pull - same).abs() <= SOLVED * 80.0, "{method}: {pull} {same}");
     }
 }
 

@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 use crate::asking::letter;
 use crate::running::{PATIENCE, Server, message};
 
-/// A contact so stiff that one load balance, which fails, takes some milliseconds: nearly every pressure is reached at once, and shear
-/// within micrometres. A random search over requests found it.
+/// A contact so stiff that one load balance of the braking wheel takes half a millisecond: nearly every pressure is reached at once,
+/// and shear within micrometres. A random search over requests found it.
 pub(crate) fn stiff(points: usize) -> Value {
     json!({
         "wheel": {"radius_m": 0.0707, "width_m": 0.0133, "lug_height_m": 0.00274, "lug_coefficient": 0.958},
@@ -18,7 +18,7 @@ pub(crate) fn stiff(points: usize) -> Value {
             "cohesion_pa": 6.57, "friction_angle_rad": 0.0607, "shear_modulus_m": 4.93e-6,
             "pressure_sinkage": {"law": "direct", "k_s": 71_622, "n0": 0.01325}
         },
-        "slip": {"from": 0.3, "to": 0.9, "points": points}, "normal_load_n": 57_038
+        "slip": {"from": -0.9, "to": -0.3, "points": points}, "normal_load_n": 20_000
     })
 }
 

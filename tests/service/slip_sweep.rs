@@ -22,6 +22,9 @@ fn sweep(changes: Value) -> Value {
     with(&with(&letter(), json!({"slip": {"from": 0, "to": 1, "points": 11}})), changes)
 }
 
+/// What two searches of one sinkage may differ by.
+const SOLVED: f64 = 1e-12;
+
 #[test]
 fn each_row_is_what_forces_gives_at_that_slip() {
     for method in ["quadrature", "linearised", "explicit"] {
@@ -33,7 +36,15 @@ fn each_row_is_what_forces_gives_at_that_slip() {
                 let forces = post("/v1/forces", &with(&letter(), with(&changes, json!({"slip": slip})))).ok();
                 for name in COLUMNS {
                     let single = forces.get(name).unwrap_or(&forces["components"][name]);
-                    assert_eq!(&reply["columns"][name][row], single, "{method}, {name} at {slip}");
+                    let found = &reply["columns"][name][row];
+                    // The search of a solved row starts from the rows before it.
+                    let same = match (found.as_f64(), single.as_f64()) {
+                        (Some(found), Some(single)) if sinkage["normal_load_n"].is_number() => {
+                            (found - single).abs() <= SOLVED * single.abs().max(1.0)
+                        }
+                        _ => found == single,
+                    };
+                    assert!(same, "{method}, {name} at {slip}: {found} {single}");
                 }
             }
         }

@@ -98,6 +98,12 @@ fn solved_load(bencher: Bencher<'_, '_>, method: &str) {
     one_point(bencher, method, Sinkage::CarryingLoad(80.0), 0.2);
 }
 
+/// The same of a braking wheel, whose balance a bracket finds.
+#[divan::bench(args = METHODS)]
+fn solved_load_braking(bencher: Bencher<'_, '_>, method: &str) {
+    one_point(bencher, method, Sinkage::CarryingLoad(80.0), -0.05);
+}
+
 fn sweep(bencher: Bencher<'_, '_>, method: &str, sinkage: Sinkage, points: u32) {
     let operation = operation(method, sinkage);
     let slips: Vec<Slip> = (0..points).map(|i| slip(f64::from(i) / f64::from(points - 1))).collect();

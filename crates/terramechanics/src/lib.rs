@@ -23,6 +23,7 @@
 /// Version of the model.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+mod approach;
 mod braking;
 mod caution;
 mod circles;

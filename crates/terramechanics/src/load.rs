@@ -5,6 +5,9 @@
 //! F_z grows with z, and the balance is unique. Otherwise the search finds the balance nearest to Bekker's estimate at which
 //! F_z rises through the load, because a wheel that is set on the soil comes to rest there.
 //!
+//! Where the balance is unique, it is approached by the slope of the normal force first (`approach.rs`), and the bracket decides
+//! only where that finds none.
+//!
 //! The two zones of a braking wheel need a least sinkage, below which there is no contact. The search then runs over the sinkage
 //! beyond it, which is the depth under the peak.
 
@@ -69,7 +72,26 @@ impl ForceModel {
     /// [`ForceModel::forces`] refuse.
     pub fn solve_sinkage(&self, rolling: &Rolling<'_>, load: f64) -> Result<CarriedLoad, Error> {
         WheelOnSoil::NORMAL_LOAD.check(load).map_err(Error::Invalid)?;
+        self.solve_sinkage_near(rolling, load, None)
+    }
+
+    /// The same of a load that is greater than 0, with a sinkage (m) that is likely to be near.
+    pub(crate) fn solve_sinkage_near(&self, rolling: &Rolling<'_>, load: f64, near: Option<f64>) -> Result<CarriedLoad, Error> {
         let curve = &self.guide(rolling)?;
+        let guess = near.unwrap_or_else(|| bekker_estimate(rolling, curve, load));
+        match self.approach(rolling, load, guess, near.is_some()) {
+            Some(found) => Ok(found),
+            None => self.solve_sinkage_in_bracket(rolling, load, curve),
+        }
+    }
+
+    /// The same by a bracket and Brent's method.
+    pub(crate) fn solve_sinkage_in_bracket(
+        &self,
+        rolling: &Rolling<'_>,
+        load: f64,
+        curve: &PressureCurve,
+    ) -> Result<CarriedLoad, Error> {
         let power = 1.0 / (curve.exponent + 0.5);
         let (least, most) = rolling.sinkages();
         let level = load.powf(power);
@@ -81,15 +103,31 @@ impl ForceModel {
             Some((z, forces)) if z == sinkage => forces,
             _ => balance.forces(found.best.x)?,
         };
-        let residual = forces.normal - load;
-        let iterations = balance.iterations;
-        let allowed = (LARGEST_RESIDUAL * forces.normal_scale().max(load)).min(LARGEST_MISS * load);
-        if found.converged && residual.abs() <= allowed {
-            Ok(CarriedLoad { sinkage, residual, iterations, forces })
+        let (residual, iterations) = (forces.normal - load, balance.iterations);
+        let carried = CarriedLoad { sinkage, residual, iterations, forces };
+        if found.converged && carried.is_met(load) {
+            Ok(carried)
         } else {
             Err(Error::LoadNotBalanced { load, iterations, residual, sinkage })
         }
     }
+}
+
+impl CarriedLoad {
+    /// Whether the normal force meets `load` (N).
+    pub(crate) fn is_met(&self, load: f64) -> bool {
+        let allowed = (LARGEST_RESIDUAL * self.forces.normal_scale().max(load)).min(LARGEST_MISS * load);
+        self.residual.abs() <= allowed
+    }
+}
+
+/// Bekker's sinkage of a rigid wheel, z = (3 W / ((3 − N) b K_s √(2r)))^(2/(2N+1)) (Bekker 1956): a first guess.
+fn bekker_estimate(rolling: &Rolling<'_>, curve: &PressureCurve, load: f64) -> f64 {
+    let wheel = &rolling.system.wheel;
+    let share = (3.0 - curve.exponent).max(0.5) / 3.0;
+    let scale = share * wheel.width() * curve.modulus * (2.0 * wheel.radius()).sqrt();
+    let estimate = (load / scale).powf(1.0 / (curve.exponent + 0.5));
+    if estimate.is_finite() { estimate.max(f64::MIN_POSITIVE) } else { wheel.radius() }
 }
 
 impl ForceModel {
@@ -163,7 +201,8 @@ impl Balance<'_> {
     fn bracket(&mut self) -> Result<(Sample, Sample), Error> {
         let span = self.most - self.least;
         let nearest = NEAREST * self.least;
-        let mut here = self.sample(self.bekker_estimate().max(nearest).min(span))?;
+        let estimate = bekker_estimate(self.rolling, self.curve, self.load);
+        let mut here = self.sample(estimate.max(nearest).min(span))?;
         let mut stride = FIRST_STRIDE;
         for _ in 0..BRACKET_STEPS {
             let shortest = (1.0 + stride).min(LONGEST_STRIDE);
@@ -192,15 +231,6 @@ impl Balance<'_> {
         }
         let residual = self.forces(here.x)?.normal - self.load;
         Err(Error::LoadNotBalanced { load: self.load, iterations: self.iterations, residual, sinkage: self.sinkage(here.x) })
-    }
-
-    /// Bekker's sinkage of a rigid wheel, z = (3 W / ((3 − N) b K_s √(2r)))^(2/(2N+1)) (Bekker 1956): a first guess.
-    fn bekker_estimate(&self) -> f64 {
-        let wheel = &self.rolling.system.wheel;
-        let share = (3.0 - self.curve.exponent).max(0.5) / 3.0;
-        let scale = share * wheel.width() * self.curve.modulus * (2.0 * wheel.radius()).sqrt();
-        let estimate = (self.load / scale).powf(self.power);
-        if estimate.is_finite() { estimate.max(f64::MIN_POSITIVE) } else { wheel.radius() }
     }
 
     /// F_z(r) is below the load, but under a braking wheel F_z need not grow throughout and may reach the load at a smaller

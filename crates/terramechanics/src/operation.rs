@@ -147,6 +147,12 @@ impl Operation {
     /// The operating point at `slip` where the sinkage is known in another way than the operation says.
     #[inline]
     pub(crate) fn with_sinkage(&self, slip: Slip, sinkage: &Sinkage) -> Result<OperatingPoint, Error> {
+        self.near(slip, sinkage, None)
+    }
+
+    /// The same, with a sinkage (m) that is likely to be near the one that carries the load.
+    #[inline(always)]
+    pub(crate) fn near(&self, slip: Slip, sinkage: &Sinkage, near: Option<f64>) -> Result<OperatingPoint, Error> {
         if let Sinkage::UnderLoad { sinkage, load } = *sinkage {
             return self.under_load(slip, &sinkage, load);
         }
@@ -155,7 +161,7 @@ impl Operation {
         }
         let rolling = self.system.rolling(slip)?;
         let curve = *rolling.curve()?;
-        let (sinkage, solved) = self.found(&rolling, sinkage)?;
+        let (sinkage, solved) = self.found(&rolling, sinkage, near)?;
         let patch = rolling.contact(sinkage)?;
         let forces = match solved {
             Some(forces) => forces,
@@ -169,7 +175,7 @@ impl Operation {
     #[inline(never)]
     fn in_grains(&self, slip: Slip, sinkage: &Sinkage) -> Result<OperatingPoint, Error> {
         let rolling = self.model.rolling(&self.system, slip)?;
-        let (sinkage, solved) = self.found(&rolling, sinkage)?;
+        let (sinkage, solved) = self.found(&rolling, sinkage, None)?;
         let patch = self.model.contact(&rolling, sinkage)?;
         let forces = match solved {
             Some(forces) => forces,
@@ -211,16 +217,19 @@ impl Operation {
     /// # Errors
     /// What [`ForceModel::solve_sinkage`] refuses.
     pub fn sinkage_of(&self, rolling: &Rolling<'_>) -> Result<(f64, Option<Forces>), Error> {
-        self.found(rolling, &self.sinkage)
+        self.found(rolling, &self.sinkage, None)
     }
 
     #[inline]
-    fn found(&self, rolling: &Rolling<'_>, sinkage: &Sinkage) -> Result<(f64, Option<Forces>), Error> {
+    fn found(&self, rolling: &Rolling<'_>, sinkage: &Sinkage, near: Option<f64>) -> Result<(f64, Option<Forces>), Error> {
         match *sinkage {
             Sinkage::Given(sinkage) => Ok((sinkage, None)),
             Sinkage::FromStatic { static_sinkage, law } => Ok((law.sinkage(static_sinkage, rolling.slip), None)),
             Sinkage::CarryingLoad(load) => {
-                let carried = self.model.solve_sinkage(rolling, load)?;
+                let carried = match near {
+                    None => self.model.solve_sinkage(rolling, load)?,
+                    Some(_) => self.model.solve_sinkage_near(rolling, load, near)?, // a load that its neighbours have too
+                };
                 Ok((carried.sinkage, Some(carried.forces)))
             }
             Sinkage::UnderLoad { sinkage, load } => {

@@ -17,6 +17,7 @@ use crate::circles::Kinematics;
 use crate::contact::{Angles, angle_at_depth};
 use crate::error::Error;
 use crate::numerics::circular::HalfArc;
+use crate::numerics::lanes::Number;
 use crate::rim::{RimEntry, RimPoint};
 use crate::rolling::Rolling;
 use crate::zones::Zones;
@@ -30,7 +31,7 @@ pub struct ContactPatch<'a> {
     pub sinkage: f64,
     /// Characteristic angles.
     pub angles: Angles,
-    entry: RimEntry,
+    pub(crate) entry: RimEntry,
     lead: Lead,
 }
 
@@ -107,6 +108,11 @@ impl ContactPatch<'_> {
         ContactPatch { rolling, sinkage: self.sinkage, angles: self.angles, entry: self.entry, lead: self.lead }
     }
 
+    /// dθ1/d ln z = tan (θ1/2) (rad), from cos θ1 = 1 − z/r.
+    pub(crate) fn entry_rate(&self) -> f64 {
+        self.sinkage / self.rolling.system.wheel.radius() / self.entry.sin()
+    }
+
     /// Whether it is the contact of a braking wheel with two zones.
     #[must_use]
     pub fn has_two_zones(&self) -> bool {
@@ -133,28 +139,24 @@ impl ContactPatch<'_> {
     }
 
     /// The place at an arc δ = θ1 − θ (rad) behind the entry.
-    #[inline]
-    pub(crate) fn rim_point(&self, arc: f64) -> RimPoint {
+    #[inline(always)]
+    pub(crate) fn rim_point<F: Number>(&self, arc: F) -> RimPoint<F> {
         self.entry.place(arc)
     }
 
-    /// Depth r (cos θ − cos θ1) = 2 r sin a sin x (m) of a place of the rim. Eq. (3).
-    #[inline]
-    pub(crate) fn geometric_depth(&self, point: &RimPoint) -> f64 {
-        2.0 * self.rolling.system.wheel.radius() * point.sin_middle * point.sin_half_arc
+    /// Depth r (cos θ − cos θ1) (m) of a place of the rim. Eq. (3).
+    #[inline(always)]
+    pub(crate) fn geometric_depth<F: Number>(&self, point: &RimPoint<F>) -> F {
+        point.rise * (2.0 * self.rolling.system.wheel.radius())
     }
 
     /// Shear displacement j (m) of a turning wheel. Eq. (6).
     ///
-    /// j − j(θ1) = r_j [(1 − κ) δ + κ (δ − sin θ1 + sin θ)], and δ − sin θ1 + sin θ = 2 (x − sin x) + 2 sin x (1 − cos a):
-    /// neither bracket cancels.
-    #[inline]
-    pub(crate) fn displacement(&self, point: &RimPoint) -> f64 {
+    /// j − j(θ1) = r_j [(1 − κ) δ + κ (δ − sin θ1 + sin θ)]: neither bracket cancels.
+    #[inline(always)]
+    pub(crate) fn displacement<F: Number>(&self, point: &RimPoint<F>) -> F {
         let Kinematics { radius, ratio, complement, .. } = self.rolling.kinematics;
-        self.lead.displacement
-            + 2.0
-                * radius
-                * (complement * point.half_arc + ratio * (point.excess + point.sin_half_arc * point.one_minus_cos_middle))
+        (point.half_arc * complement + point.lag * ratio) * (2.0 * radius) + self.lead.displacement
     }
 
     /// Arc θ1' − θ (rad) of a place of the rim behind the entry of the circle of the displacement.
@@ -187,9 +189,28 @@ impl ContactPatch<'_> {
 
     /// E (–) of a contact of one zone: what an endless displacement leaves, turned, all along the contact of a locked wheel.
     #[inline(always)]
-    pub(crate) fn mobilisation_of_one_zone(&self, point: &RimPoint) -> f64 {
+    pub(crate) fn mobilisation_of_one_zone<F: Number>(&self, point: &RimPoint<F>) -> F {
         let rolling = self.rolling;
-        if rolling.slip.is_locked() { -rolling.shear().residual() } else { rolling.mobilisation(self.displacement(point)) }
+        if rolling.slip.is_locked() {
+            point.half_arc.like(-rolling.shear().residual())
+        } else {
+            rolling.mobilisation(self.displacement(point))
+        }
+    }
+
+    /// dE/dθ1 (1/rad) at a place of a turning wheel with one zone, where E is `share` and which moves at `turn` = dθ/dθ1.
+    ///
+    /// dj/dθ1 = r_j [dθ1'/dθ1 − dθ/dθ1 − κ (cos θ1' dθ1'/dθ1 − cos θ dθ/dθ1)], with cos θ1' = (r − z)/r_j.
+    #[inline(always)]
+    pub(crate) fn mobilisation_rate<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
+        let Rolling { kinematics: Kinematics { radius, ratio, .. }, strength, system, .. } = self.rolling;
+        let outward = system.wheel.radius() / radius;
+        let entry_turn =
+            if self.lead.arc > 0.0 { outward * self.entry.sin() / (self.angles.entry + self.lead.arc).sin() } else { 1.0 };
+        let entry_rate = entry_turn * (1.0 - ratio * outward * self.entry.cos());
+        let rate = (point.cos * turn * *ratio - turn + entry_rate) * *radius;
+        let x = Number::abs(self.displacement(point)) * strength.per_shear_scale;
+        self.rolling.shear().steepness(x, share) * rate * strength.per_shear_scale
     }
 
     /// Shear displacement j (m) at `theta` (rad): 0 where its circle enters the soil, not negative where that circle does not

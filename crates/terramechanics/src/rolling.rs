@@ -4,6 +4,7 @@ use crate::circles::Kinematics;
 use crate::contact::Contact;
 use crate::error::{Error, SoilLaw};
 use crate::fittable::{Fittable, Step, Tolerance};
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::pressure_sinkage::{Plate, PressureCurve};
 use crate::shear::{JanosiHanamoto, ShearLaw};
@@ -195,8 +196,8 @@ impl Rolling<'_> {
     }
 
     /// E (–) at a shear displacement j (m). Eq. (6).
-    #[inline]
-    pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
+    #[inline(always)]
+    pub(crate) fn mobilisation<F: Number>(&self, displacement: F) -> F {
         self.shear.mobilisation(displacement * self.strength.per_shear_scale)
     }
 
@@ -221,8 +222,8 @@ impl Rolling<'_> {
     }
 
     /// Shear strength c + σ tan φ (Pa) along the rim. Eq. (5).
-    #[inline]
-    pub(crate) fn shear_strength(&self, normal_stress: f64) -> f64 {
-        self.strength.cohesion + normal_stress * self.strength.tan_friction
+    #[inline(always)]
+    pub(crate) fn shear_strength<F: Number>(&self, normal_stress: F) -> F {
+        normal_stress * self.strength.tan_friction + self.strength.cohesion
     }
 }

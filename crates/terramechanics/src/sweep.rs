@@ -1,9 +1,10 @@
 //! How do the forces change with slip? The same operation at many slips, row by row.
 //!
-//! A row is the operating point itself, so what follows from a point follows from a row by the same formula.
+//! A row is the operating point itself, so what follows from a point follows from a row by the same formula. Where the sinkage is
+//! solved for, the search of a row starts from the rows before it, and ends within its tolerance of where it would end alone.
 
 use crate::error::Error;
-use crate::operation::{OperatingPoint, Operation};
+use crate::operation::{OperatingPoint, Operation, Sinkage};
 use crate::slip::Slip;
 
 /// One slip of a sweep, with what holds there.
@@ -16,9 +17,43 @@ pub struct SweepRow {
 }
 
 impl SweepRow {
-    fn of(operation: &Operation, slip: Slip) -> Self {
-        Self { slip, point: operation.at(slip) }
+    /// The row after others of the same operation, which tell where its solution is likely to be.
+    #[inline]
+    fn after(rows: &[Self], operation: &Operation, slip: Slip) -> Self {
+        let near = match operation.sinkage {
+            Sinkage::CarryingLoad(_) => extrapolated_sinkage(rows, slip),
+            Sinkage::Given(_) | Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } => None,
+        };
+        Self { slip, point: operation.near(slip, &operation.sinkage, near) }
     }
+}
+
+/// Rows behind that a sinkage is extrapolated from: their polynomial over the slip is of the third degree.
+const NEIGHBOURS: usize = 4;
+
+/// Largest factor from the latest sinkage to one that counts as near.
+const NEAR: f64 = 1.5;
+
+/// The sinkage (m) at `slip` that the latest rows lead to; none where they say nothing, or lead far away.
+fn extrapolated_sinkage(rows: &[SweepRow], slip: Slip) -> Option<f64> {
+    let mut known = [(0.0, 0.0); NEIGHBOURS];
+    let mut count = 0;
+    for (known, row) in known.iter_mut().zip(rows.iter().rev()) {
+        let Ok(point) = &row.point else { break };
+        *known = (row.slip.ratio(), point.sinkage);
+        count += 1;
+    }
+    let known = &mut known[..count];
+    let (_, latest) = *known.first()?;
+    // Neville's scheme: each step joins neighbouring polynomials to one of a degree more.
+    for degree in 1..count {
+        for i in 0..count - degree {
+            let (near, far) = (known[i].0, known[i + degree].0);
+            known[i].1 += (slip.ratio() - near) / (far - near) * (known[i + 1].1 - known[i].1);
+        }
+    }
+    let found = known[0].1;
+    (found < NEAR * latest && found > latest / NEAR).then_some(found)
 }
 
 /// An operation over slip.
@@ -46,12 +81,16 @@ impl SlipSweep {
     /// The same into rows that are there already, without allocating where there are enough of them.
     pub fn fill(&mut self, operation: &Operation, slips: &[Slip]) {
         self.rows.clear();
-        self.rows.extend(slips.iter().map(|&slip| SweepRow::of(operation, slip)));
+        self.rows.reserve(slips.len());
+        for &slip in slips {
+            self.push(operation, slip);
+        }
     }
 
     /// Adds the row of `slip`, for a caller that has to look up between rows. All rows of a sweep are of one `operation`.
     pub fn push(&mut self, operation: &Operation, slip: Slip) {
-        self.rows.push(SweepRow::of(operation, slip));
+        let row = SweepRow::after(&self.rows, operation, slip);
+        self.rows.push(row);
     }
 
     /// The points there are, each with the index of its row.

@@ -121,7 +121,7 @@ impl Zones {
     fn displacement_behind(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
         let Kinematics { radius, ratio, complement, .. } = rolling.kinematics;
         let half_arc = self.half_arc(point) - self.half_front;
-        let HalfArc { sin, cos, excess } = HalfArc::of(half_arc);
+        let HalfArc { sin, cos, excess, .. } = HalfArc::of(half_arc);
         let sin_middle = self.sin * cos - self.cos * sin;
         let cos_middle = self.cos * cos + self.sin * sin;
         let one_minus_cos_middle = sin_middle * sin_middle / (1.0 + cos_middle);

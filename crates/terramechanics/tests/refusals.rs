@@ -5,8 +5,8 @@ mod common;
 use common::{LETTER_LAW, LETTER_SOIL, LETTER_WHEEL, contact, letter, slip, system};
 use terramechanics::{
     AngleRatio, Bekker, Contact, ContactParams, Direct, Error, ExitRule, ForceModel, InvalidInput, JanosiHanamoto, Lambda,
-    Method, Operation, Parameter, PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent, SinkageRatio, Slip,
-    SlipSweep, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongPeak, WongReece, WongResidual,
+    Method, OperatingPoint, Operation, Parameter, PeakDepth, PeakRule, PressureSinkage, ShearLaw, Sinkage, SinkageExponent,
+    SinkageRatio, Slip, SlipSweep, Soil, SoilParams, Wheel, WheelOnSoil, WheelParams, WongPeak, WongReece, WongResidual,
 };
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -200,7 +200,39 @@ fn a_sweep_names_its_gaps_and_fills_the_rest() {
     assert!(sweep.gaps().all(|(_, _, error)| matches!(error, Error::PeakOutsideContact { .. })));
     assert_eq!(sweep.points().map(|(row, _)| row).collect::<Vec<_>>(), [0, 1, 2, 3]);
     for (row, &slip) in sweep.rows.iter().zip(&slips) {
-        assert_eq!((row.slip, row.point), (slip, operation.at(slip)));
+        assert_eq!(row.slip, slip);
+        match (row.point, operation.at(slip)) {
+            (Ok(found), Ok(alone)) => assert_same(&found, &alone),
+            (found, alone) => assert_eq!(found, alone),
+        }
+    }
+}
+
+/// A search that starts from its neighbours ends within the tolerance of a solved sinkage of where it ends alone.
+fn assert_same(found: &OperatingPoint, alone: &OperatingPoint) {
+    const SOLVED: f64 = 1e-12;
+    let (forces, expected) = (&found.forces, &alone.forces);
+    assert!((found.sinkage / alone.sinkage - 1.0).abs() <= SOLVED, "{} {}", found.sinkage, alone.sinkage);
+    assert!((forces.longitudinal - expected.longitudinal).abs() <= SOLVED * expected.longitudinal_scale(), "{found:?} {alone:?}");
+    assert!((forces.normal / expected.normal - 1.0).abs() <= SOLVED, "{found:?} {alone:?}");
+    assert!((forces.torque / expected.torque - 1.0).abs() <= SOLVED, "{found:?} {alone:?}");
+}
+
+#[test]
+fn a_solved_sweep_is_its_points_however_its_slips_lie() {
+    let slips = |ratio: fn(f64) -> f64| (0..=200).map(|i| slip(ratio(f64::from(i) / 200.0))).collect::<Vec<_>>();
+    let orders =
+        [slips(|x| x), slips(|x| 2.0 * x - 1.0), slips(|x| 1.0 - x), slips(|x| 0.5 + 0.5 * (40.0 * x).sin()), slips(|_| 0.3)];
+    for method in [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT] {
+        let model = ForceModel::at_rim(method);
+        let operation = Operation { system: letter(), model, sinkage: Sinkage::CarryingLoad(50.0) };
+        for slips in &orders {
+            let sweep = SlipSweep::of(&operation, slips);
+            assert_eq!(sweep.points().count(), slips.len());
+            for (row, point) in sweep.points() {
+                assert_same(point, &operation.at(slips[row]).expect("a point"));
+            }
+        }
     }
 }
 

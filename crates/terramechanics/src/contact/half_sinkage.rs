@@ -4,7 +4,7 @@
 //! Units: z and r in m, θm in rad. Validity: that of Eq. (8), which the letter gives without a range. Departure: the letter uses
 //! Eq. (8) as an approximation wherever the peak lies; here the peak is placed so that the equation holds.
 
-use super::{ContactArc, angle_at_depth};
+use super::{Angles, ContactArc, angle_at_depth};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised};
 use crate::sources::{Citation, LETTER};
@@ -17,6 +17,11 @@ impl HalfSinkage {
     #[inline]
     pub(super) fn peak(&self, arc: &ContactArc) -> f64 {
         angle_at_depth(0.5 * arc.depth_ratio) // Eq. (8)
+    }
+
+    /// By 1 − cos θm = (1 − cos θ1)/2.
+    pub(super) fn rate(&self, angles: &Angles, _exit_rate: f64) -> f64 {
+        0.5 * angles.entry.sin() / angles.peak.sin()
     }
 }
 

@@ -4,7 +4,7 @@
 //! Units: angles in rad. Validity: a simplification for the closed forms, which makes both sides of the peak equally long. No
 //! departures.
 
-use super::ContactArc;
+use super::{Angles, ContactArc};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised};
 use crate::sources::{Citation, SHIBLY};
@@ -17,6 +17,10 @@ impl Midpoint {
     #[inline]
     pub(super) fn peak(&self, arc: &ContactArc) -> f64 {
         0.5 * (arc.entry + arc.exit)
+    }
+
+    pub(super) fn rate(&self, _angles: &Angles, exit_rate: f64) -> f64 {
+        0.5 * (1.0 + exit_rate)
     }
 }
 

@@ -35,6 +35,9 @@ family! {
 
     /// θm (rad) in a contact; the rule does not look whether it lies inside.
     fn peak(&self, arc: &ContactArc) -> f64;
+
+    /// dθm/dθ1 (–) in a contact that the rule gave, as the wheel sinks and its exit moves at `exit_rate` = dθ2/dθ1.
+    fn rate(&self, angles: &Angles, exit_rate: f64) -> f64;
 }
 
 /// A contact, as far as the rules for its peak ask.
@@ -84,6 +87,20 @@ pub struct Angles {
     pub peak: f64,
     /// Exit angle θ2.
     pub exit: f64,
+}
+
+/// How the angles of a contact move as the wheel sinks (–).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct AngleRates {
+    /// dθm/dθ1.
+    pub(crate) peak: f64,
+    /// dθ2/dθ1.
+    pub(crate) exit: f64,
+}
+
+impl AngleRates {
+    /// Of angles that do not move.
+    pub(crate) const FIXED: Self = Self { peak: 0.0, exit: 0.0 };
 }
 
 impl Contact {
@@ -157,6 +174,12 @@ impl Contact {
         } else {
             Err(Error::PeakOutsideContact { entry, peak, exit })
         }
+    }
+
+    /// Rates of the angles of a contact of one zone against the entry angle, as the wheel sinks.
+    pub(crate) fn rates(&self, angles: &Angles) -> AngleRates {
+        let exit = self.params.exit.rate(angles.entry, angles.exit);
+        AngleRates { peak: self.params.rule.rate(angles, exit), exit }
     }
 
     /// Angles of a contact of two zones that part at `reversal` (rad), and of sinkage `depth_ratio` = z/r.

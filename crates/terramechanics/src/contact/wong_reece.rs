@@ -4,7 +4,7 @@
 //! the contact. No departures; at s < 0 the rule is applied as written. The paper was not read; the rule was seen in public
 //! implementations that agree.
 
-use super::ContactArc;
+use super::{Angles, ContactArc};
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
@@ -47,6 +47,10 @@ impl WongReece {
     #[inline]
     pub(super) fn peak(&self, arc: &ContactArc) -> f64 {
         (self.c1 + self.c2 * arc.slip.ratio()) * arc.entry
+    }
+
+    pub(super) fn rate(&self, angles: &Angles, _exit_rate: f64) -> f64 {
+        angles.peak / angles.entry
     }
 }
 

@@ -5,6 +5,7 @@
 
 use super::{Components, ForceModel, Forces, Method, PeakDepth, ShapeIntegrals, explicit, peak};
 use crate::patch::ContactPatch;
+use crate::stress::StressField;
 
 /// A closed form in one contact.
 pub(crate) struct ClosedForm<'a> {
@@ -50,12 +51,53 @@ impl ForceModel {
     }
 }
 
+impl ForceModel {
+    /// The forces of the closed form of the method in a contact of one zone, and their changes against the entry angle (per rad); none
+    /// for an integral.
+    pub(super) fn closed_forces_and_changes(&self, stresses: &StressField<'_>) -> Option<(Forces, Forces)> {
+        let StressField { patch, curve } = *stresses;
+        let form = self.closed_form(patch)?;
+        let rates = &patch.rolling.system.contact.rates(&patch.angles);
+        let (depth, shape) = match self.method {
+            Method::Linearised { peak_depth } => (peak_depth, ShapeIntegrals::changes(&patch.angles, rates)),
+            Method::Explicit { peak_depth, lambda_a, lambda_b } => {
+                (peak_depth, explicit::shape_changes(patch, &form.shape, [lambda_a, lambda_b], rates))
+            }
+            Method::Quadrature | Method::SideSlipping(_) | Method::ResistiveForce => return None,
+        };
+        let point = peak(patch);
+        let deepening = match depth {
+            PeakDepth::Geometric => (patch.entry.sin() - point.sin * rates.peak) / (2.0 * point.rise), // d ln z_m/dθ1
+            PeakDepth::Half => 1.0 / patch.entry_rate(),
+        };
+        let normal = curve.pressure(form.depth);
+        let normal_rate = curve.exponent * normal * deepening;
+        let share_rate = patch.mobilisation_rate(&point, form.mobilisation, rates.peak);
+        let rolling = patch.rolling;
+        let shear = form.mobilisation * rolling.shear_strength(normal);
+        let shear_rate =
+            share_rate * rolling.shear_strength(normal) + form.mobilisation * rolling.strength.tan_friction * normal_rate;
+        let (moved, grown) = (form.with_shape(shape).forces_by(normal, shear), form.forces_by(normal_rate, shear_rate));
+        Some((form.forces_by(normal, shear), moved.plus(&grown)))
+    }
+}
+
 impl ClosedForm<'_> {
+    fn with_shape(&self, shape: ShapeIntegrals) -> Self {
+        Self { shape, ..*self }
+    }
+
     /// The forces by the normal stress σm (Pa) at the peak.
     #[inline]
     pub(crate) fn forces(&self, normal_stress: f64) -> Forces {
+        self.forces_by(normal_stress, self.mobilisation * self.patch.rolling.shear_strength(normal_stress))
+    }
+
+    /// The forces by both stresses (Pa) at the peak; linear in them and in the shape.
+    #[inline]
+    fn forces_by(&self, normal_stress: f64, shear_stress: f64) -> Forces {
         let x = self.normal_area * normal_stress;
-        let y = self.shear_area * (self.mobilisation * self.patch.rolling.shear_strength(normal_stress));
+        let y = self.shear_area * shear_stress;
         let ShapeIntegrals { a, b, h } = self.shape;
         let components = Components { traction: a * y, resistance: b * x, normal_support: a * x, shear_support: b * y };
         Forces::new(components, self.shearing_radius * h * y, 0.0) // Eq. (11c) with r_s (erratum 6)

@@ -24,6 +24,7 @@
 //! λ_A and λ_B computed so that (14) is exact.
 
 use super::{Lambda, ShapeIntegrals};
+use crate::contact::AngleRates;
 use crate::patch::ContactPatch;
 
 /// A and B by Eq. (14); where λ is exact, that is what Eq. (12) gives.
@@ -41,6 +42,28 @@ pub(super) fn approximate_shape(patch: &ContactPatch<'_>, lambda_a: Lambda, lamb
             Lambda::Exact => exact().b,
         },
         h: 0.5 * patch.angles.entry, // Eq. (17)
+    }
+}
+
+/// dA/dθ1, dB/dθ1 and dH/dθ1 (1/rad) of that shape as the wheel sinks: A grows as √z, B as z.
+pub(super) fn shape_changes(
+    patch: &ContactPatch<'_>,
+    shape: &ShapeIntegrals,
+    lambdas: [Lambda; 2],
+    rates: &AngleRates,
+) -> ShapeIntegrals {
+    let deepening = 1.0 / patch.entry_rate(); // d ln z/dθ1
+    let exact = || ShapeIntegrals::changes(&patch.angles, rates);
+    ShapeIntegrals {
+        a: match lambdas[0] {
+            Lambda::Given(_) => 0.5 * shape.a * deepening,
+            Lambda::Exact => exact().a,
+        },
+        b: match lambdas[1] {
+            Lambda::Given(_) => shape.b * deepening,
+            Lambda::Exact => exact().b,
+        },
+        h: 0.5,
     }
 }
 

@@ -13,11 +13,13 @@
 mod closed;
 mod explicit;
 mod method;
+mod panel;
 mod panels;
 mod quadrature;
 pub(crate) mod resistive;
 pub(crate) mod rutted;
 mod shape;
+mod shearing;
 mod side;
 
 pub(crate) use closed::ClosedForm;
@@ -102,6 +104,22 @@ impl ForceModel {
             (_, None) => quadrature::forces(self, stresses),
         };
         if forces.is_finite() { Ok(forces) } else { Err(Error::NotFinite) }
+    }
+
+    /// Whether the method knows how its forces change as a wheel with one zone sinks.
+    pub(crate) fn has_slopes(&self) -> bool {
+        matches!(self.method, Method::Quadrature) || self.method.is_closed_form()
+    }
+
+    /// The forces of a contact of one zone and their changes against its entry angle (per rad), for a search of the sinkage: by few
+    /// nodes for a `coarse` look. None where that does not serve.
+    pub(crate) fn forces_and_changes(&self, patch: &ContactPatch<'_>, coarse: bool) -> Option<(Forces, Forces)> {
+        let stresses = &patch.stresses().ok()?;
+        match self.method {
+            Method::Quadrature => quadrature::forces_and_changes(self, stresses, coarse),
+            Method::Linearised { .. } | Method::Explicit { .. } => self.closed_forces_and_changes(stresses),
+            Method::SideSlipping(_) | Method::ResistiveForce => None,
+        }
     }
 
     /// Whether the method takes the contact, and its constants are numbers.

@@ -8,7 +8,7 @@ use std::ops::Range;
 pub(super) const PANELS: usize = 48;
 
 /// Relative error at which refining stops.
-const TOLERANCE: f64 = 1e-10;
+pub(super) const TOLERANCE: f64 = 1e-10;
 
 /// Rounding left in any sum of this length.
 pub(super) const ROUNDING: f64 = 2e-15;
@@ -30,7 +30,8 @@ pub(super) trait Resolved: Copy + Default {
 /// Error from the null sums: the rule's own error falls about as their square, taken as the power 1.5 so that it is not
 /// underestimated where the coefficients decay slowly.
 pub(super) fn error_of(null: [f64; 2], size: f64) -> f64 {
-    let share = 10.0 * null[0].hypot(null[1]) / size;
+    let [high, higher] = null.map(|sum| sum / size);
+    let share = 10.0 * (high * high + higher * higher).sqrt();
     if size > 0.0 { size * share * share.sqrt() } else { 0.0 }
 }
 
@@ -55,6 +56,14 @@ impl Edges {
             self.places[self.count] = u;
             self.count += 1;
         }
+    }
+
+    /// The ranges between the ends, each in so many equal parts.
+    pub(super) fn ranges(&self, parts: u32) -> impl Iterator<Item = [f64; 2]> {
+        self.places[..self.count].windows(2).flat_map(move |ends| {
+            let at = move |part: u32| ends[0] + (ends[1] - ends[0]) * (f64::from(part) / f64::from(parts));
+            (0..parts).map(move |part| [at(part), at(part + 1)])
+        })
     }
 
     /// The ends with the last one.

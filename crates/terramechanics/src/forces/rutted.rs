@@ -8,10 +8,12 @@
 //! with z counted from the undisturbed surface. Both agree at z_u.
 
 use super::panels::Edges;
-use super::quadrature::{self, OneZone, Pressing, Rim, Shearing};
+use super::quadrature::{self, OneZone};
+use super::shearing::{Pressing, Rim, Shearing};
 use super::{ForceModel, Forces};
 use crate::contact::angle_at_depth;
 use crate::error::Error;
+use crate::numerics::lanes::Number;
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
 use crate::rim::RimPoint;
@@ -39,11 +41,13 @@ impl Pressing for RutCurve {
 struct InRut<'a>(OneZone<'a>);
 
 impl Shearing<RutCurve> for InRut<'_> {
-    fn ahead(&self, point: &RimPoint) -> f64 {
+    #[inline(always)]
+    fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F {
         Shearing::<RutCurve>::ahead(&self.0, point)
     }
 
-    fn behind(&self, point: &RimPoint) -> f64 {
+    #[inline(always)]
+    fn behind<F: Number>(&self, point: &RimPoint<F>) -> F {
         Shearing::<RutCurve>::behind(&self.0, point)
     }
 

@@ -9,7 +9,7 @@
 //!
 //! Units: angles in rad; A, B and H have none. Validity: θ2 < θm < θ1, and exact for linear stresses. No departures.
 
-use crate::contact::Angles;
+use crate::contact::{AngleRates, Angles};
 use crate::numerics::circular::ArcMeans;
 
 /// Integrals of the triangle that rises from 0 at θ2 to 1 at θm and falls to 0 at θ1.
@@ -43,5 +43,22 @@ impl ShapeIntegrals {
         let rear = ArcMeans::over(0.5 * (peak + exit), 0.5 * (peak - exit));
         let front = ArcMeans::over(0.5 * (entry + peak), 0.5 * (entry - peak));
         Self { a: front.sin - rear.sin, b: front.one_minus_cos - rear.one_minus_cos, h: 0.5 * (entry - exit) }
+    }
+
+    /// dA/dθ1, dB/dθ1 and dH/dθ1 (1/rad) as the wheel sinks and its angles move at `rates`.
+    ///
+    /// The mean ⟨f⟩ over an arc from p to q changes by [(f(q) − ⟨f⟩) dq − (f(p) − ⟨f⟩) dp]/(q − p).
+    pub(super) fn changes(angles: &Angles, rates: &AngleRates) -> Self {
+        let Angles { entry, peak, exit } = *angles;
+        let mean_changes = |[p, q]: [f64; 2], [p_rate, q_rate]: [f64; 2]| {
+            let means = ArcMeans::over(0.5 * (p + q), 0.5 * (q - p));
+            let one_minus_cos = |angle: f64| 2.0 * (0.5 * angle).sin().powi(2);
+            let of_sin = (q.sin() - means.sin) * q_rate - (p.sin() - means.sin) * p_rate;
+            let of_cos = (one_minus_cos(q) - means.one_minus_cos) * q_rate - (one_minus_cos(p) - means.one_minus_cos) * p_rate;
+            [of_sin / (q - p), of_cos / (q - p)]
+        };
+        let rear = mean_changes([exit, peak], [rates.exit, rates.peak]);
+        let front = mean_changes([peak, entry], [rates.peak, 1.0]);
+        Self { a: front[0] - rear[0], b: front[1] - rear[1], h: 0.5 * (1.0 - rates.exit) }
     }
 }

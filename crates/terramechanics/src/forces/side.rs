@@ -10,10 +10,12 @@
 //! With independent stresses the forces in the plane of the wheel equal those without a slip angle, to the last bit.
 
 use super::panels::{Edges, ROUNDING, Resolved, error_of, integrate};
-use super::quadrature::{self, Rim, Shearing};
+use super::quadrature;
+use super::shearing::{Rim, Shearing};
 use super::{ForceModel, Forces};
 use crate::lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SideWall};
 use crate::numerics::gauss_legendre::{NODES, Node};
+use crate::numerics::lanes::Number;
 use crate::patch::ContactPatch;
 use crate::rim::RimPoint;
 use crate::stress::StressField;
@@ -41,12 +43,14 @@ struct Coupled<'a> {
 }
 
 impl Shearing for Coupled<'_> {
-    fn ahead(&self, point: &RimPoint) -> f64 {
-        self.side.coupled_longitudinal_share(self.patch, point)
+    #[inline(always)]
+    fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F {
+        point.by_lane(|point| self.side.coupled_longitudinal_share(self.patch, point))
     }
 
-    fn behind(&self, point: &RimPoint) -> f64 {
-        self.side.coupled_longitudinal_share(self.patch, point)
+    #[inline(always)]
+    fn behind<F: Number>(&self, point: &RimPoint<F>) -> F {
+        point.by_lane(|point| self.side.coupled_longitudinal_share(self.patch, point))
     }
 
     fn edges(&self, rim: &Rim<'_>) -> Edges {

@@ -4,15 +4,19 @@
 //! whose remainders are below 1e-17 at π/2, give sine, cosine and the difference x − sin x in one go, faster than the
 //! library's sine and cosine. The subtraction x − sin x would lose two digits in every decade as x falls; the series does not.
 
+use super::lanes::Number;
+
 /// Functions of an angle x in |x| ≤ 1.1 π/2.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct HalfArc {
+pub(crate) struct HalfArc<F = f64> {
     /// sin x.
-    pub(crate) sin: f64,
+    pub(crate) sin: F,
+    /// 1 − cos x, to full relative precision.
+    pub(crate) one_minus_cos: F,
     /// cos x.
-    pub(crate) cos: f64,
+    pub(crate) cos: F,
     /// x − sin x, to full relative precision.
-    pub(crate) excess: f64,
+    pub(crate) excess: F,
 }
 
 /// 1/n! for n from 0 to 22.
@@ -31,27 +35,31 @@ const RECIPROCAL_FACTORIALS: [f64; 23] = {
 ///
 /// Terms of even and odd k are summed apart: two short chains of dependent operations instead of a long one.
 #[inline(always)]
-fn alternating_series(y: f64, first: usize) -> f64 {
+fn alternating_series<F: Number>(y: F, first: usize) -> F {
     let square = y * y;
-    let sum = |from: usize| {
-        let mut n = from + (22 - from) / 4 * 4;
-        let mut sum = RECIPROCAL_FACTORIALS[n];
-        while n > from {
-            n -= 4;
-            sum = sum * square + RECIPROCAL_FACTORIALS[n];
-        }
-        sum
-    };
-    sum(first) - y * sum(first + 2)
+    series_of_every_fourth(square, first) - y * series_of_every_fourth(square, first + 2)
 }
 
-impl HalfArc {
+/// Σ z^k/(first + 4k)! up to the last factorial of the table.
+#[inline(always)]
+fn series_of_every_fourth<F: Number>(z: F, first: usize) -> F {
+    let mut n = first + (22 - first) / 4 * 4;
+    let mut sum = z.like(RECIPROCAL_FACTORIALS[n]);
+    while n > first {
+        n -= 4;
+        sum = sum * z + RECIPROCAL_FACTORIALS[n];
+    }
+    sum
+}
+
+impl<F: Number> HalfArc<F> {
     /// The functions at `x`.
     #[inline(always)]
-    pub(crate) fn of(x: f64) -> Self {
+    pub(crate) fn of(x: F) -> Self {
         let y = x * x;
         let excess = x * y * alternating_series(y, 3);
-        Self { sin: x - excess, cos: 1.0 - y * alternating_series(y, 2), excess }
+        let one_minus_cos = y * alternating_series(y, 2);
+        Self { sin: x - excess, one_minus_cos, cos: -one_minus_cos + 1.0, excess }
     }
 }
 

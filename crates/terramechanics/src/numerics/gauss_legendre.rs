@@ -1,5 +1,7 @@
 //! Gauss–Legendre rule with 24 points, and two sums over the same points that tell how well it resolved a function.
 
+use super::lanes::LANES;
+
 /// Points of the rule.
 pub(crate) const POINTS: usize = 24;
 
@@ -57,6 +59,50 @@ const fn node(x: f64, weight: f64) -> Node {
     Node { place: 0.5 * (1.0 + x), weight: 0.5 * weight, null: [legendre, before] }
 }
 
+/// Nodes of a rule side by side.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LaneNodes {
+    pub(crate) place: [f64; LANES],
+    pub(crate) weight: [f64; LANES],
+    pub(crate) null: [[f64; LANES]; 2],
+}
+
+/// [`NODES`] side by side.
+pub(crate) const FINE: [LaneNodes; POINTS / LANES] = {
+    let mut fine = [LaneNodes { place: [0.0; LANES], weight: [0.0; LANES], null: [[0.0; LANES]; 2] }; POINTS / LANES];
+    let mut i = 0;
+    while i < POINTS {
+        let (nodes, lane) = (&mut fine[i / LANES], i % LANES);
+        nodes.place[lane] = NODES[i].place;
+        nodes.weight[lane] = NODES[i].weight;
+        nodes.null[0][lane] = NODES[i].null[0];
+        nodes.null[1][lane] = NODES[i].null[1];
+        i += 1;
+    }
+    fine
+};
+
+/// Positive half of the nodes of the rule with 8 points, and their weights: roots of P8, found at 40 digits.
+const COARSE_HALF: [(f64, f64); LANES / 2] = [
+    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
+    (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
+];
+
+/// The rule with 8 points on [0, 1], for a first look. It does not tell how well it resolved a function.
+pub(crate) const COARSE: [LaneNodes; 1] = {
+    let mut nodes = LaneNodes { place: [0.0; LANES], weight: [0.0; LANES], null: [[0.0; LANES]; 2] };
+    let mut i = 0;
+    while i < LANES / 2 {
+        let (x, weight) = COARSE_HALF[i];
+        (nodes.place[LANES / 2 + i], nodes.weight[LANES / 2 + i]) = (0.5 * (1.0 + x), 0.5 * weight);
+        (nodes.place[LANES / 2 - 1 - i], nodes.weight[LANES / 2 - 1 - i]) = (0.5 * (1.0 - x), 0.5 * weight);
+        i += 1;
+    }
+    [nodes]
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -83,5 +129,14 @@ mod tests {
         // ∫ P_k² over [0, 1] in the shifted variable is 1/(2k + 1).
         assert!((sum(|n| n.weight * n.null[0] * n.null[0]) - 1.0 / 47.0).abs() < 1e-15);
         assert!((sum(|n| n.weight * n.null[1] * n.null[1]) - 1.0 / 45.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_coarse_rule_integrates_polynomials_up_to_degree_15_exactly() {
+        let [nodes] = &COARSE;
+        for degree in 0..=15 {
+            let sum: f64 = nodes.place.iter().zip(&nodes.weight).map(|(x, weight)| weight * x.powi(degree)).sum();
+            assert!((sum - 1.0 / f64::from(degree + 1)).abs() < 1e-15, "{degree}");
+        }
     }
 }

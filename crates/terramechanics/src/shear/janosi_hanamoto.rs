@@ -4,9 +4,9 @@
 //! Units: K in m. Validity: soils that shear without a hump; the letter takes it for all. Departure: Eq. (6) as printed divides r
 //! by an undefined V and, braking, would grow without bound; here r/K and an odd E (errata 2 and 11). The paper was not read.
 
-use super::saturation;
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, JANOSI_HANAMOTO, LETTER};
 
@@ -39,9 +39,15 @@ impl JanosiHanamoto {
     }
 
     /// E at x = |j|/K: in [0, 1]. Eq. (6).
-    #[inline]
-    pub(super) fn rise(&self, x: f64) -> f64 {
-        saturation(x)
+    #[inline(always)]
+    pub(super) fn rise<F: Number>(&self, x: F) -> F {
+        x.saturation()
+    }
+
+    /// dE/dx where E is `share`.
+    #[inline(always)]
+    pub(super) fn steepness<F: Number>(&self, share: F) -> F {
+        -share + 1.0
     }
 }
 

@@ -13,6 +13,7 @@ pub use wong_peak::WongPeak;
 pub use wong_residual::WongResidual;
 
 use crate::law::family;
+use crate::numerics::lanes::Number;
 
 family! {
     /// A shear law with its parameters.
@@ -33,9 +34,6 @@ family! {
     /// E (–) after an endless displacement: what a locked wheel leaves, with the sign turned.
     #[must_use]
     pub fn residual(&self) -> f64;
-
-    /// E (–) at a displacement of one sign, given in units of [`ShearLaw::scale`].
-    fn rise(&self, x: f64) -> f64;
 }
 
 impl ShearLaw {
@@ -56,17 +54,26 @@ impl ShearLaw {
     }
 
     /// E (–) at a shear displacement given in units of [`ShearLaw::scale`]; odd.
-    #[inline]
-    pub(crate) fn mobilisation(&self, displacement: f64) -> f64 {
-        self.rise(displacement.abs()).copysign(displacement)
+    #[inline(always)]
+    pub(crate) fn mobilisation<F: Number>(&self, displacement: F) -> F {
+        let x = displacement.abs();
+        let rise = match self {
+            Self::JanosiHanamoto(law) => law.rise(x),
+            Self::WongResidual(law) => law.rise(x),
+            Self::WongPeak(law) => law.rise(x),
+        };
+        rise.copysign(displacement)
     }
-}
 
-/// 1 − e^−x for x ≥ 0, to full relative precision.
-#[inline]
-fn saturation(x: f64) -> f64 {
-    // The subtraction costs one digit at 0.1 and all of them at 0; exp_m1 does not, but takes three times as long.
-    if x > 0.1 { 1.0 - (-x).exp() } else { -(-x).exp_m1() }
+    /// dE/dx (–) at x = |j| in units of [`ShearLaw::scale`], where E is `share`; even.
+    #[inline(always)]
+    pub(crate) fn steepness<F: Number>(&self, x: F, share: F) -> F {
+        match self {
+            Self::JanosiHanamoto(law) => law.steepness(share.abs()),
+            Self::WongResidual(law) => law.steepness(x),
+            Self::WongPeak(law) => law.steepness(x),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -106,6 +113,18 @@ mod tests {
         assert!((LAWS[3].mobilisation(1e-12) / (std::f64::consts::E * 1e-12) - 1.0).abs() < 1e-11);
         let joint = LAWS[0].mobilisation(0.1 * (1.0 + 1e-15)) - LAWS[0].mobilisation(0.1 * (1.0 - 1e-15));
         assert!(joint.abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_steepness_is_the_slope_of_the_share() {
+        const STEP: f64 = 1e-6; // a central difference of it errs by about 1e-10
+        for law in LAWS {
+            for x in [0.01, 0.3, 1.0, 2.5, 9.0] {
+                let slope = (law.mobilisation(x + STEP) - law.mobilisation(x - STEP)) / (2.0 * STEP);
+                let steepness = law.steepness(x, law.mobilisation(x));
+                assert!((steepness - slope).abs() < 1e-8, "{law:?} at {x}: {steepness} {slope}");
+            }
+        }
     }
 
     #[test]

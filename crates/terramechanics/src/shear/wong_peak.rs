@@ -5,6 +5,7 @@
 //! dE/dj = 0 and E = 1 at j = K_w, and E → 0 for large j.
 
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, WONG_BOOK};
 
@@ -37,9 +38,15 @@ impl WongPeak {
     }
 
     /// E at x = |j|/K_w: in [0, 1].
-    #[inline]
-    pub(super) fn rise(&self, x: f64) -> f64 {
-        x * (1.0 - x).exp()
+    #[inline(always)]
+    pub(super) fn rise<F: Number>(&self, x: F) -> F {
+        x * (-x + 1.0).exp()
+    }
+
+    /// dE/dx.
+    #[inline(always)]
+    pub(super) fn steepness<F: Number>(&self, x: F) -> F {
+        (-x + 1.0) * (-x + 1.0).exp()
     }
 }
 

@@ -6,8 +6,8 @@
 //! value only at [`WongResidual::HUMP_AT_SCALE`], where dE/dj = 0 at K_w. With another ratio the hump lies a little beside K_w
 //! and E rises a little above 1, which is the formula's and not clipped.
 
-use super::saturation;
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, WONG_BOOK};
 
@@ -61,10 +61,17 @@ impl WongResidual {
     }
 
     /// E at x = |j|/K_w.
-    #[inline]
-    pub(super) fn rise(&self, x: f64) -> f64 {
+    #[inline(always)]
+    pub(super) fn rise<F: Number>(&self, x: F) -> F {
         let hump = 1.0 / (self.residual_ratio * AT_HUMP) - 1.0;
-        self.residual_ratio * (1.0 + hump * (1.0 - x).exp()) * saturation(x)
+        ((-x + 1.0).exp() * hump + 1.0) * self.residual_ratio * x.saturation()
+    }
+
+    /// dE/dx.
+    #[inline(always)]
+    pub(super) fn steepness<F: Number>(&self, x: F) -> F {
+        let hump = (-x + 1.0).exp() * (1.0 / (self.residual_ratio * AT_HUMP) - 1.0);
+        ((hump + 1.0) * (-x).exp() - hump * x.saturation()) * self.residual_ratio
     }
 }
 

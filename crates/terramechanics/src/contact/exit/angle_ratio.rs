@@ -36,6 +36,10 @@ impl AngleRatio {
     pub(super) fn entry_of(&self, angle: f64) -> Option<f64> {
         (self.c3 > 0.0).then(|| angle / self.c3)
     }
+
+    pub(super) fn rate(&self, _entry: f64, _exit: f64) -> f64 {
+        self.c3
+    }
 }
 
 impl Parametrised for AngleRatio {

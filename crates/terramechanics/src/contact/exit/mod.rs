@@ -25,6 +25,9 @@ family! {
     /// The entry angle (rad) of the contact whose exit lies at `angle` (rad) ahead of the lowest point, if the rule has any exit
     /// there.
     pub(super) fn entry_of(&self, angle: f64) -> Option<f64>;
+
+    /// dθ2/dθ1 (–) in a contact that the rule gave, as the wheel sinks.
+    pub(super) fn rate(&self, entry: f64, exit: f64) -> f64;
 }
 
 impl ExitRule {

@@ -38,6 +38,11 @@ impl SinkageRatio {
     pub(super) fn entry_of(&self, _angle: f64) -> Option<f64> {
         None
     }
+
+    /// By 1 − cos θ2 = η (1 − cos θ1).
+    pub(super) fn rate(&self, entry: f64, exit: f64) -> f64 {
+        (0.5 * exit).tan() / (0.5 * entry).tan()
+    }
 }
 
 impl Parametrised for SinkageRatio {
