@@ -14,7 +14,7 @@ use crate::words::HINTS;
 
 /// A request that stands in the query of a GET, read and checked, and the format asked for.
 pub(crate) struct Asked<R> {
-    pub(crate) query: Accepted<R>,
+    pub(crate) case: Accepted<R>,
     pub(crate) format: Format,
 }
 
@@ -25,7 +25,7 @@ impl<R: request::Request, S: Sync> FromRequestParts<S> for Asked<R> {
         let mut query = parsed(&parts.uri)?;
         let (format, mut faults) = asked_format(&mut query);
         match accepted(&query.into_node()) {
-            Ok(query) if faults.is_empty() => Ok(Self { query, format: format.unwrap_or_else(|| Format::of(&parts.headers)) }),
+            Ok(case) if faults.is_empty() => Ok(Self { case, format: format.unwrap_or_else(|| Format::of(&parts.headers)) }),
             Ok(_) => Err(Problem::Invalid(faults)),
             Err(more) => {
                 faults.extend(more);

@@ -47,7 +47,7 @@ struct SoilsReply {
     params(WheelsQuery, FormatParameter),
     responses((status = 200, description = "The wheels", content((WheelsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn wheels(Asked { query: Accepted { case: WheelsCase(kind), .. }, format }: Asked<WheelsCase>) -> Response {
+pub(crate) async fn wheels(Asked { case: Accepted { case: WheelsCase(kind), .. }, format }: Asked<WheelsCase>) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::wheel_kinds(), |kind| {
             let records = || catalogue::wheels().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
@@ -69,7 +69,7 @@ pub(crate) async fn wheels(Asked { query: Accepted { case: WheelsCase(kind), .. 
     params(SoilsQuery, FormatParameter),
     responses((status = 200, description = "The soils", content((SoilsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn soils(Asked { query: Accepted { case: SoilsCase(kind), .. }, format }: Asked<SoilsCase>) -> Response {
+pub(crate) async fn soils(Asked { case: Accepted { case: SoilsCase(kind), .. }, format }: Asked<SoilsCase>) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::soil_kinds(), |kind| {
             let records = || catalogue::soils().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));

@@ -62,7 +62,7 @@ pub(crate) async fn forces(
 #[utoipa::path(get, path = "/v1/forces", tag = "forces", params(ForcesRequest, FormatParameter), responses(InvalidQuery, Limits))]
 pub(crate) async fn forces_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<ForcesCase>,
+    Asked { case, format }: Asked<ForcesCase>,
 ) -> Result<Response, Problem> {
-    answer(&service, query, format).await
+    answer(&service, case, format).await
 }

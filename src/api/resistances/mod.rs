@@ -66,7 +66,7 @@ pub(crate) async fn resistances(
 )]
 pub(crate) async fn resistances_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<ResistancesCase>,
+    Asked { case, format }: Asked<ResistancesCase>,
 ) -> Result<Response, Problem> {
-    answer(&service, query, format).await
+    answer(&service, case, format).await
 }

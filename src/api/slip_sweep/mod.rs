@@ -66,7 +66,7 @@ pub(crate) async fn slip_sweep(
 )]
 pub(crate) async fn slip_sweep_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<SweepCase>,
+    Asked { case, format }: Asked<SweepCase>,
 ) -> Result<Response, Problem> {
-    answer(&service, query, format).await
+    answer(&service, case, format).await
 }

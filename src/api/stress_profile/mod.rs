@@ -68,7 +68,7 @@ pub(crate) async fn stress_profile(
 )]
 pub(crate) async fn stress_profile_of_query(
     State(service): State<Service>,
-    Asked { query, format }: Asked<ProfileCase>,
+    Asked { case, format }: Asked<ProfileCase>,
 ) -> Result<Response, Problem> {
-    answer(&service, query, format).await
+    answer(&service, case, format).await
 }

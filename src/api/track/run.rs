@@ -63,8 +63,8 @@ impl Run {
     }
 
     /// Over samples in memory.
-    pub(crate) fn over_samples(query: TrackCase, form: SeriesForm) -> Self {
-        let TrackCase { settings, samples } = query;
+    pub(crate) fn over_samples(case: TrackCase, form: SeriesForm) -> Self {
+        let TrackCase { settings, samples } = case;
         Self { source: Source::Memory { samples, next: 0 }, settings, form, assumed: None, started: None }
     }
 

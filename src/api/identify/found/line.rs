@@ -18,8 +18,8 @@ pub(crate) struct FoundLine {
     pub(crate) warnings: Vec<Warning>,
 }
 
-pub(super) fn line(query: &LinearCase, pace: &Pace) -> Result<FoundLine, Problem> {
-    let LinearCase { setup, observations, law_known } = query;
+pub(super) fn line(case: &LinearCase, pace: &Pace) -> Result<FoundLine, Problem> {
+    let LinearCase { setup, observations, law_known } = case;
     let fault = |error: FitError| {
         Problem::Invalid(vec![match error {
             FitError::Refused { row, error } => FieldFault::new(refusal_pointer(row, &error, &setup.sinkage), error),

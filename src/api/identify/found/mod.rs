@@ -25,12 +25,12 @@ const SEARCHING: f64 = 0.5;
 ///
 /// # Errors
 /// What of the request the model or the data do not allow.
-pub(crate) fn identify(query: &IdentifyCase, pace: &Pace) -> Result<FoundParameters, Problem> {
-    match query {
-        IdentifyCase::Fit(query) => {
-            let found = search::search(query, Instant::now() + pace.time().mul_f64(SEARCHING), pace)?;
+pub(crate) fn identify(case: &IdentifyCase, pace: &Pace) -> Result<FoundParameters, Problem> {
+    match case {
+        IdentifyCase::Fit(case) => {
+            let found = search::search(case, Instant::now() + pace.time().mul_f64(SEARCHING), pace)?;
             Ok(FoundParameters::Fit(Box::new(found)))
         }
-        IdentifyCase::Linear(query) => Ok(FoundParameters::Line(Box::new(line::line(query, pace)?))),
+        IdentifyCase::Linear(case) => Ok(FoundParameters::Line(Box::new(line::line(case, pace)?))),
     }
 }

@@ -22,17 +22,17 @@ pub(crate) struct FoundFit {
 const TOO_LARGE: f64 = 4.0;
 const TOO_SMALL: f64 = 0.25;
 
-pub(super) fn search(query: &FitCase, until: Instant, pace: &Pace) -> Result<FoundFit, Problem> {
-    let FitCase { setup, observations, sought, options, .. } = query;
+pub(super) fn search(case: &FitCase, until: Instant, pace: &Pace) -> Result<FoundFit, Problem> {
+    let FitCase { setup, observations, sought, options, .. } = case;
     let options = FitOptions { until: Some(until), ..*options };
     let fit = fit_while(setup, observations, sought, &options, &|| pace.goes_on())
         .map_err(|error| Problem::Invalid(vec![fit_fault(&error, &setup.sinkage)]))?;
-    let warnings = warnings(query, &fit);
+    let warnings = warnings(case, &fit);
     Ok(FoundFit { setup: *setup, observations: observations.clone(), fit, warnings })
 }
 
 /// What there is to say of a fit as a whole.
-fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
+fn warnings(case: &FitCase, found: &Fit) -> Vec<Warning> {
     let mut findings = Vec::new();
     if !found.converged() {
         findings.push(Finding::NotConverged { stop: found.stop });
@@ -62,8 +62,8 @@ fn warnings(query: &FitCase, found: &Fit) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = system_warnings(&found.setup.wheel, &found.setup.soil).collect();
     warnings.extend(findings.into_iter().map(Warning::from));
     warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base)));
-    warnings.extend(of_the_interface(query));
-    if query.law_replaced {
+    warnings.extend(of_the_interface(case));
+    if case.law_replaced {
         warnings.push(Finding::LawReplaced {}.into());
     }
     warnings
