@@ -38,6 +38,27 @@ macro_rules! one_row {
 
 pub(crate) use one_row;
 
+/// An answer whose table is its columns, as they are.
+macro_rules! in_columns {
+    ($reply:ty) => {
+        impl $crate::reply::Reply for $reply {
+            fn columns(&self) -> Vec<(::std::borrow::Cow<'static, str>, &[f64])> {
+                self.columns.as_table()
+            }
+
+            fn warnings(&self) -> &[$crate::warning::Warning] {
+                &self.warnings
+            }
+
+            fn warn(&mut self, warning: $crate::warning::Warning) {
+                self.warnings.push(warning);
+            }
+        }
+    };
+}
+
+pub(crate) use in_columns;
+
 /// A number; null where it is NaN.
 pub(crate) fn or_null<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     value.is_finite().then_some(value).serialize(serializer)

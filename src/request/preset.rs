@@ -22,33 +22,26 @@ pub(crate) trait Entry: Sync + 'static {
     }
 }
 
-impl Entry for WheelRecord {
-    fn id(&self) -> &str {
-        &self.id
-    }
+/// Both kinds of records are entries alike.
+macro_rules! entries {
+    ($($record:ty),+) => {$(
+        impl Entry for $record {
+            fn id(&self) -> &str {
+                &self.id
+            }
 
-    fn number(&self, name: &str) -> Option<f64> {
-        self.number(name)
-    }
+            fn number(&self, name: &str) -> Option<f64> {
+                self.number(name)
+            }
 
-    fn substitutes(&self) -> &'static [Substitute] {
-        self.substitutes()
-    }
+            fn substitutes(&self) -> &'static [Substitute] {
+                self.substitutes()
+            }
+        }
+    )+};
 }
 
-impl Entry for SoilRecord {
-    fn id(&self) -> &str {
-        &self.id
-    }
-
-    fn number(&self, name: &str) -> Option<f64> {
-        self.number(name)
-    }
-
-    fn substitutes(&self) -> &'static [Substitute] {
-        self.substitutes()
-    }
-}
+entries!(WheelRecord, SoilRecord);
 
 /// The entry that a request names, if it names one.
 #[derive(Clone, Copy)]

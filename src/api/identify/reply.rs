@@ -1,6 +1,5 @@
 //! The answer of `/v1/identify`.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -11,7 +10,7 @@ use super::columns::{IdentifyColumns, columns};
 use super::found::{FoundFit, FoundLine, FoundParameters};
 use super::request::column_name;
 use crate::reply::soil::{self, Spelled};
-use crate::reply::{EstimateReply, Reply, method_name};
+use crate::reply::{EstimateReply, in_columns, method_name};
 use crate::request::circles::words;
 use crate::request::soil::SoilObject;
 use crate::request::system::ContactObject;
@@ -148,16 +147,4 @@ impl From<FoundLine> for IdentifyReply {
     }
 }
 
-impl Reply for IdentifyReply {
-    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.as_table()
-    }
-
-    fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-
-    fn warn(&mut self, warning: Warning) {
-        self.warnings.push(warning);
-    }
-}
+in_columns!(IdentifyReply);

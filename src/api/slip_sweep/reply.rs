@@ -1,14 +1,12 @@
 //! The answer of `/v1/slip-sweep`.
 
-use std::borrow::Cow;
-
 use serde::Serialize;
 use terramechanics::Method;
 use utoipa::ToSchema;
 
 use super::found::FoundSweep;
 use crate::quantity::PointColumns;
-use crate::reply::Reply;
+use crate::reply::in_columns;
 use crate::reply::method_name;
 use crate::request::circles::words;
 use crate::warning::Warning;
@@ -49,16 +47,4 @@ impl From<FoundSweep> for SweepReply {
     }
 }
 
-impl Reply for SweepReply {
-    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.as_table()
-    }
-
-    fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-
-    fn warn(&mut self, warning: Warning) {
-        self.warnings.push(warning);
-    }
-}
+in_columns!(SweepReply);

@@ -1,14 +1,12 @@
 //! The answer of `/v1/stress-profile`.
 
-use std::borrow::Cow;
-
 use serde::Serialize;
 use terramechanics::StressProfile;
 use utoipa::ToSchema;
 
 use super::found::FoundProfile;
 use crate::quantity::{About, Columns, Field, Shape};
-use crate::reply::{AnglesReply, Reply};
+use crate::reply::{AnglesReply, in_columns};
 use crate::request::circles::words;
 use crate::warning::Warning;
 
@@ -110,16 +108,4 @@ impl From<FoundProfile> for ProfileReply {
     }
 }
 
-impl Reply for ProfileReply {
-    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.as_table()
-    }
-
-    fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-
-    fn warn(&mut self, warning: Warning) {
-        self.warnings.push(warning);
-    }
-}
+in_columns!(ProfileReply);

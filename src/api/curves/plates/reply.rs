@@ -1,7 +1,5 @@
 //! The answer of `/v1/identify/plates`.
 
-use std::borrow::Cow;
-
 use serde::Serialize;
 use terramechanics_identification::{FittedPlate, PlateCurve, PlatesFit};
 use utoipa::ToSchema;
@@ -10,7 +8,7 @@ use super::found::FoundPlates;
 use crate::api::curves::{Curve, one_after_the_other};
 use crate::quantity::{About, Columns, Field, Shape};
 use crate::reply::soil::{self, Spelled};
-use crate::reply::{EstimateReply, Reply};
+use crate::reply::{EstimateReply, in_columns};
 use crate::request::system::PressureSinkageObject;
 use crate::warning::Warning;
 
@@ -102,16 +100,4 @@ impl From<FoundPlates> for PlatesReply {
     }
 }
 
-impl Reply for PlatesReply {
-    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.as_table()
-    }
-
-    fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-
-    fn warn(&mut self, warning: Warning) {
-        self.warnings.push(warning);
-    }
-}
+in_columns!(PlatesReply);

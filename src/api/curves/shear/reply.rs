@@ -1,7 +1,5 @@
 //! The answer of `/v1/identify/shear`.
 
-use std::borrow::Cow;
-
 use serde::Serialize;
 use terramechanics_identification::ShearFit;
 use utoipa::ToSchema;
@@ -9,7 +7,7 @@ use utoipa::ToSchema;
 use super::found::FoundShear;
 use crate::api::curves::{Curve, one_after_the_other};
 use crate::quantity::{About, Columns, Field, Shape};
-use crate::reply::{EstimateReply, Reply};
+use crate::reply::{EstimateReply, in_columns};
 use crate::warning::Warning;
 
 /// Strength of a soil from shear tests.
@@ -74,16 +72,4 @@ impl From<FoundShear> for ShearReply {
     }
 }
 
-impl Reply for ShearReply {
-    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.as_table()
-    }
-
-    fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-
-    fn warn(&mut self, warning: Warning) {
-        self.warnings.push(warning);
-    }
-}
+in_columns!(ShearReply);
