@@ -61,6 +61,7 @@ mod slip;
 mod slip_search;
 mod slip_sinkage;
 mod soil;
+mod soil_parameters;
 mod solved_slip;
 mod sources;
 mod strength;
