@@ -10,7 +10,6 @@ import io
 import json
 import math
 from copy import deepcopy
-from itertools import product
 
 import schemathesis
 
@@ -72,10 +71,8 @@ def before_load_schema(context, raw_schema):
         if name == "VehicleRequest":
             schemas[name] = one_of(rovers(schema))
         if groups:
-            variants = (chosen(schema, groups, choice) for choice in product(*groups))
-            laid_apart = (variant for choice in variants for variant in by_soil(choice))
-            zoned = (variant for choice in laid_apart for variant in by_zones(choice))
-            schemas[name] = one_of(variant for of in zoned for variant in straight_or_sideways(of))
+            variants = [chosen(schema, groups, choice) for choice in each_alternative(groups)]
+            schemas[name] = one_of(spread(variants))
         if name == "TowedRequest":
             schemas[name] = one_of(by_soil(schema))
     # Rovers on so many slopes that they are refused by their price are tests of the service.
@@ -112,6 +109,24 @@ def before_load_schema(context, raw_schema):
         if any("." in parameter["name"] for parameter in asked):
             operations["get"]["parameters"] = one_way(asked)
     null_is_absent(raw_schema["components"]["schemas"])
+
+
+def each_alternative(groups):
+    """Choices of one alternative of each group, in which every alternative is there. All pairs of them would be too many requests."""
+    return [tuple(group[i % len(group)] for group in groups) for i in range(max(map(len, groups)))]
+
+
+def laid_apart(schema):
+    """The kinds of request that one choice leaves: by soil, by law of braking, straight or sideways."""
+    zoned = (variant for of in by_soil(schema) for variant in by_zones(of))
+    return [variant for of in zoned for variant in straight_or_sideways(of)]
+
+
+def spread(choices):
+    """All kinds of the first choice, which the examples of the document are of, and some of each other."""
+    for place, choice in enumerate(choices):
+        kinds = laid_apart(choice)
+        yield from kinds if place == 0 else kinds[place % len(kinds) :: len(choices)]
 
 
 def with_its_content(document, parameter):
