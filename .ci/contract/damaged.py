@@ -182,8 +182,7 @@ class Sources:
             examples += [of["value"] for of in content.get("examples", {}).values()]
             assert examples or "post" not in operations, f"{path} has no example"
             self.bodies += [(path, example) for example in examples]
-            parameters = operations.get("get", {}).get("parameters", [])
-            if any(of["in"] == "path" for of in parameters):
+            if "{" in path:
                 self.queries.append((path.split("{")[0], {}))
             elif "get" in operations:
                 # What a body takes stands in a query as well.
