@@ -114,3 +114,17 @@ fn a_table_is_one_row() {
         assert_eq!(column, [reply[name.as_str()].as_f64()], "{name}");
     }
 }
+
+/// With a torque the pull follows without a soil, whether none is sent or null.
+#[test]
+fn a_null_soil_is_none() {
+    let body = json!({
+        "wheel": {"radius_m": 0.2, "width_m": 0.1}, "slip": 0.2, "sinkage_m": 0.02, "normal_load_n": 80, "torque_n_m": 6
+    });
+    let mut with_null = body.clone();
+    with_null["soil"] = Value::Null;
+    assert_eq!(post("/v1/coupled", &with_null).ok(), post("/v1/coupled", &body).ok());
+    let mut without_torque = with_null;
+    without_torque["torque_n_m"] = Value::Null;
+    assert_eq!(post("/v1/coupled", &without_torque).pointers(), ["/soil"]);
+}

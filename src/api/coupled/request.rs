@@ -50,7 +50,7 @@ impl Request for CoupledCase {
     fn read(object: &Reader<'_>) -> Option<Self> {
         let needs = Needs { pressure_sinkage: false, ..Needs::ALL };
         // Of a measured torque and load the pull follows without a soil.
-        let is_bare = object.has(&TORQUE) && !object.has(&SOIL);
+        let is_bare = object.has(&TORQUE) && !object.has(&OPTIONAL_SOIL);
         let bare = || Soil::new(SoilParams::BARE).ok().map(FoundSoil::bare);
         let system = if is_bare { system::read_on(object, bare(), needs) } else { system::read(object, needs) };
         let motion = motion::read(object, system.wheel.as_ref(), system.circles);

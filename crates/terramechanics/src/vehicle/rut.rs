@@ -63,7 +63,7 @@ impl Unloading {
         meaning: "Gain of the stiffness of unloading with the depth, k_u = k_0 + A_u z_u; measured from 2310e6 to 3746e6.",
         requirement: Requirement::NotNegative,
         least: 0.0,
-        most: 1e18,
+        most: 1e15,
         presence: Presence::Default(Self::MEASURED.gain),
     };
 
