@@ -96,7 +96,7 @@ def before_load_schema(context, raw_schema):
         law for law in shear["oneOf"] if law["$ref"] != "#/components/schemas/JanosiHanamotoShear"
     )
     schemas["Soil"] = one_of([requiring(soil, ["preset"]), with_modulus, without_modulus])
-    dense = requiring(soil, ["friction_angle_rad", "bulk_density_kg_m3"], without=["preset"])
+    dense = requiring(soil, ["friction_angle_rad", "bulk_density_kg_m3"], without=["preset", "granular_stiffness_n_m3"])
     dense["properties"]["friction_angle_rad"]["minimum"] = 1e-6  # without friction the stiffness has to be given
     stiff = requiring(soil, ["granular_stiffness_n_m3"], without=["preset", "bulk_density_kg_m3"])
     schemas["Grains"] = one_of(lawless(of) for of in (dense, stiff))
