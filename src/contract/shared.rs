@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use terramechanics_reading::component_name;
 use utoipa::openapi::path::{Operation, Parameter};
 use utoipa::openapi::response::Response;
 use utoipa::openapi::{OpenApi, Ref, RefOr};
@@ -33,11 +34,7 @@ fn failure_name(response: &Response) -> Option<String> {
     let content = response.content.get("application/problem+json")?;
     let RefOr::T(content) = content else { return None };
     let kind = content.example.as_ref()?.get("type")?.as_str()?;
-    Some(kind.rsplit(':').next()?.split('-').map(capitalised).collect())
-}
-
-fn capitalised(word: &str) -> String {
-    word.chars().take(1).map(|first| first.to_ascii_uppercase()).chain(word.chars().skip(1)).collect()
+    Some(component_name(kind.rsplit(':').next()?.split('-')))
 }
 
 /// The name of a parameter.

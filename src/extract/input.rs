@@ -25,12 +25,12 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
         }
         let declared = request.headers().get(CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse::<usize>().ok());
         let body = body::read(request.into_body(), declared, service).await?;
-        service.pool().run(Cost::of_body(body.bytes.len()), move |_| query::<R>(&body.bytes)).await.map(Self)
+        service.pool().run(Cost::of_body(body.bytes.len()), move |_| read::<R>(&body.bytes)).await.map(Self)
     }
 }
 
 /// Reads and checks a body.
-fn query<R: request::Request>(body: &[u8]) -> Result<Accepted<R>, Problem> {
+fn read<R: request::Request>(body: &[u8]) -> Result<Accepted<R>, Problem> {
     let node = json(body).map_err(|unread| match unread {
         Unread::NotJson(error) => {
             let (line, column) = (error.line(), error.column());

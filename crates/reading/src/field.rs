@@ -77,6 +77,12 @@ pub(crate) fn parameter(name: &str, meaning: &str, mut schema: RefOr<Schema>) ->
     parameter.description(Some(meaning)).schema(Some(schema)).build()
 }
 
+/// The name of a component of a contract, of words with a capital letter each.
+#[must_use]
+pub fn component_name<'a>(words: impl Iterator<Item = &'a str>) -> String {
+    words.flat_map(|word| word.chars().take(1).flat_map(char::to_uppercase).chain(word.chars().skip(1))).collect()
+}
+
 /// Reports a value of another type.
 pub(crate) fn wrong_type<T>(place: &Scope<'_>, expected: &str, node: &Node<'_>) -> Option<T> {
     place.fault(format_args!("must be {expected}, not {}", node.in_words()));

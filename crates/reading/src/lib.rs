@@ -50,7 +50,7 @@ mod word;
 
 pub use assumption::Assumption;
 pub use fault::{Faults, FieldFault, Figures, Scope, unknown_word};
-pub use field::{Components, Declared, Field, Group, Kind, group};
+pub use field::{Components, Declared, Field, Group, Kind, component_name, group};
 pub use hints::{Hints, OtherUnit, shortened};
 pub use json::{MOST_NODES, Unread, json};
 pub use list::{Bounds, Items, Numbers, Objects, Words};

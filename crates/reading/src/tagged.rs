@@ -8,7 +8,7 @@ use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::Scope;
 use crate::fault::unknown_word;
-use crate::field::{Components, Field, Group, Kind, parameter, wrong_type};
+use crate::field::{Components, Field, Group, Kind, component_name, parameter, wrong_type};
 use crate::node::{Fields, Node, is_same};
 use crate::number::Number;
 use crate::object::{Unknown, parameters_within, reference, report_oddities};
@@ -194,9 +194,7 @@ impl Tagged {
 
     /// The name of a form in the contract.
     fn form_name(&self, variant: &Variant) -> String {
-        let capital = |word: &str| word.chars().next().map(|first| first.to_uppercase().chain(word.chars().skip(1)).collect());
-        let words: Vec<String> = variant.name.split('_').filter_map(capital).collect();
-        words.concat() + self.suffix
+        component_name(variant.name.split('_')) + self.suffix
     }
 
     /// Its schema: one of its forms, told apart by the tag.
