@@ -31,7 +31,11 @@ pub(crate) fn routes() -> Router<Service> {
         .route("/favicon.ico", get(|headers: HeaderMap| async move { file("icon.svg", &headers) }))
 }
 
-fn file(name: &str, request: &HeaderMap) -> Result<Response, Problem> {
+/// A file of the page.
+///
+/// # Errors
+/// [`Problem::NotFound`] for another name.
+pub(crate) fn file(name: &str, request: &HeaderMap) -> Result<Response, Problem> {
     let EmbeddedFile { data, metadata } =
         Files::get(name).ok_or_else(|| Problem::NotFound(format!("no such file: {}", shortened(name))))?;
     let hash: String = metadata.sha256_hash()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
