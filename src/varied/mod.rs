@@ -5,7 +5,9 @@
 //! faults, which are those of the operation itself: a row is the request in which these numbers stand.
 
 mod faults;
+mod row;
 mod template;
 
-pub(crate) use faults::{RowFault, varied_field};
+pub(crate) use faults::varied_field;
+pub(crate) use row::{RowStatus, Varied, tell_invalid};
 pub(crate) use template::Template;

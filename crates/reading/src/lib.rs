@@ -39,6 +39,7 @@ mod hints;
 mod json;
 mod list;
 mod literal;
+mod nested;
 mod node;
 mod number;
 mod object;
@@ -57,6 +58,7 @@ pub use field::{Components, Declared, Field, Group, Kind, component_name, group}
 pub use hints::{Hints, OtherUnit, shortened};
 pub use json::{MOST_NODES, Unread, json};
 pub use list::{Bounds, Items, Numbers, Objects, Words};
+pub use nested::Nested;
 pub use node::{Fields, Item, List, Node};
 pub use number::{Number, in_millimetres};
 pub use object::{Object, Unknown, collected, read, read_assuming};
