@@ -2,7 +2,7 @@
 
 use axum::body::Body;
 
-use crate::asking::{get, request, send};
+use crate::asking::{get, request, send, send_unpacking};
 
 #[test]
 fn the_page_has_a_strict_policy() {
@@ -75,6 +75,26 @@ fn a_file_that_has_not_changed_is_not_sent_again() {
     let again = send(request("GET", "/", &[("if-none-match", &tag)], Body::empty()));
     assert_eq!((again.status.as_u16(), again.text.as_str()), (304, ""));
     assert_eq!(send(request("GET", "/", &[("if-none-match", "\"other\"")], Body::empty())).status, 200);
+}
+
+#[test]
+fn what_stays_the_same_is_packed_for_those_who_take_it() {
+    for path in ["/static/styles/base.css", "/docs", "/openapi.json"] {
+        let plain = get(path);
+        let (packed, sent) = send_unpacking(request("GET", path, &[("accept-encoding", "br;q=0, gzip")], Body::empty()));
+        assert_eq!((packed.status.as_u16(), packed.header("content-encoding")), (200, "gzip"), "{path}");
+        assert_eq!((plain.header("content-encoding"), plain.header("vary")), ("", "accept-encoding"));
+        assert!(packed.text == plain.text && sent < 3 * plain.text.len() / 4, "{path}: {sent} of {}", plain.text.len());
+        // Two forms of one text are told apart by their tags, and each is known again by its own.
+        let tags = [plain.header("etag"), packed.header("etag")];
+        assert!(tags[0] != tags[1] && tags.iter().all(|tag| tag.starts_with('"') && tag.len() > 10), "{tags:?}");
+        for (tag, coding) in tags.into_iter().zip(["identity", "gzip"]) {
+            let headers = [("if-none-match", tag), ("accept-encoding", coding)];
+            let again = send(request("GET", path, &headers, Body::empty()));
+            assert_eq!((again.status.as_u16(), again.text.as_str()), (304, ""), "{path} {coding}");
+            assert_eq!(again.header("etag"), tag);
+        }
+    }
 }
 
 #[test]
