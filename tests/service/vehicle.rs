@@ -198,7 +198,7 @@ fn wheels_in_ruts_sink_less_into_the_floor() {
         assert_eq!(number(&wheels[station], "rut_depth_m") > 0.0, station > 1);
         assert!(station < 2 || own < 0.6 * number(&apart[station], "sinkage_m"), "{wheels}");
     }
-    let stiff = json!({"rut": true, "unloading": {"k_0_n_m3": 120e6, "a_u": 3746e6}});
+    let stiff = json!({"rut": true, "unloading": {"k_0_n_m3": 120e6, "a_u_n_m4": 3746e6}});
     let other = post("/v1/vehicle", &on_stations(stiff)).ok();
     assert!(number(&other["wheels"][2], "rut_depth_m") > number(&wheels[2], "rut_depth_m"));
 }

@@ -2,10 +2,10 @@
 
 use divan::{Bencher, black_box};
 use terramechanics::{
-    Bekker, Circles, Contact, ForceModel, JanosiHanamoto, KnownSinkage, Measured, Method, NormalStressRadius, Operation,
+    Bekker, Circles, Contact, Drive, ForceModel, JanosiHanamoto, KnownSinkage, Measured, Method, NormalStressRadius, Operation,
     PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals, ShearLaw, Sinkage, SinkageExponent, Slip, SlipRadius,
-    SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds, Tracker, Unloading, Vehicle, VehicleParams,
-    Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
+    SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds, Tracker, Turning, Unloading, Vehicle,
+    VehicleParams, Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
 };
 
 fn main() {
@@ -189,14 +189,24 @@ fn solved_slip(bencher: Bencher<'_, '_>, method: &str) {
 
 /// A rover of four wheels: alike, or each of its own, or in the ruts of those before.
 fn rover(kind: &str) -> Vehicle {
-    let station = |position, count| Station { position, count, system: system() };
+    let station = |position, count| Station { position, count, system: system(), turning: Turning::Together };
     let stations = match kind {
         "alike" => vec![station(None, 4)],
         _ => [0.4, 0.4, -0.4, -0.4].map(|x| station(Some(x), 1)).to_vec(),
     };
     let unloading = (kind == "in ruts").then_some(Unloading::MEASURED);
     let model = model("quadrature");
-    Vehicle::new(VehicleParams { mass: 40.0, gravity: 9.81, stations, centre_of_mass: None, model, unloading }).expect("a rover")
+    Vehicle::new(VehicleParams {
+        mass: 40.0,
+        gravity: 9.81,
+        stations,
+        centre_of_mass: None,
+        hitch_height: 0.0,
+        drive: Drive::OneSlip,
+        model,
+        unloading,
+    })
+    .expect("a rover")
 }
 
 const ROVERS: [&str; 3] = ["alike", "stations", "in ruts"];
