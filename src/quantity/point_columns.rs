@@ -1,6 +1,6 @@
 //! The quantities of operating points as columns.
 
-use terramechanics::{Motion, SlipSweep, WheelOnSoil};
+use terramechanics::{Motion, NormalStressFrom, Operation, SlipSweep};
 
 use super::columns::{Columns, Shape, Values};
 use super::point::{OfPoint, Point, PointValue};
@@ -14,7 +14,7 @@ pub(crate) fn point_rows() -> impl Iterator<Item = (&'static About, OfPoint)> {
 
 /// The columns of a sweep.
 fn columns() -> impl Iterator<Item = (&'static About, PointValue)> {
-    point_rows().filter(|(_, of)| of.part.is_column()).map(|(about, of)| (about, of.value))
+    point_rows().filter(|(_, of)| of.part.is_column() || of.value.is_under_load()).map(|(about, of)| (about, of.value))
 }
 
 /// Columns of operating points.
@@ -31,16 +31,24 @@ impl Shape for OfPoints {
         let field = |(about, value): (&'static About, PointValue)| Field {
             about,
             nullable: !matches!(value, PointValue::Asked(_)),
-            present: value.is_sideways().then_some("where a slip angle was sent"),
+            present: match value {
+                PointValue::Sideways(_) => Some("where a slip angle was sent"),
+                PointValue::UnderLoad(_) => Some("where the load is known beside the sinkage"),
+                PointValue::Asked(_) | PointValue::Found(_) | PointValue::OrNone(_) => None,
+            },
         };
         columns().map(field).collect()
     }
 }
 
 impl PointColumns {
-    /// The columns of a sweep of a wheel that moves forward; with those across it where a slip angle was sent.
-    pub(crate) fn of(sweep: &SlipSweep, system: &WheelOnSoil, is_sideways: bool) -> Self {
-        let wanted: Vec<_> = columns().filter(|(_, value)| is_sideways || !value.is_sideways()).collect();
+    /// The columns of a sweep of a wheel that moves forward; with those across it where a slip angle was sent, and with what the
+    /// load shows of the soil where it is known beside the sinkage.
+    pub(crate) fn of(sweep: &SlipSweep, operation: &Operation, is_sideways: bool) -> Self {
+        let system = &operation.system;
+        let under_load = operation.sinkage.normal_stress_from() == NormalStressFrom::Load;
+        let is_there = |value: PointValue| (is_sideways || !value.is_sideways()) && (under_load || !value.is_under_load());
+        let wanted: Vec<_> = columns().filter(|(_, value)| is_there(*value)).collect();
         let mut lists: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(sweep.rows.len())).collect();
         for row in &sweep.rows {
             let point = row.point.as_ref().ok().map(|point| Point::of(system, Motion::forward(row.slip), point));

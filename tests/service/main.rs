@@ -43,6 +43,7 @@ mod stress_profile;
 mod towed;
 mod track;
 mod track_cells;
+mod track_from_torque;
 mod track_stream;
 mod validation;
 mod validation_inputs;

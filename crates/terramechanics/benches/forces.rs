@@ -2,10 +2,10 @@
 
 use divan::{Bencher, black_box};
 use terramechanics::{
-    Bekker, CentreOfMass, Circles, Contact, Drive, ForceModel, JanosiHanamoto, KnownSinkage, Measured, Method, NormalStressRadius, Operation,
-    PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals, ShearLaw, Sinkage, SinkageExponent, Slip, SlipRadius,
-    SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds, Tracker, Turning, Unloading, Vehicle,
-    VehicleParams, Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
+    Bekker, CentreOfMass, Circles, Contact, ContactParams, Drive, ForceModel, Interface, JanosiHanamoto, KnownSinkage, Measured,
+    Method, NormalStressRadius, Operation, PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals, ShearLaw,
+    Sinkage, SinkageExponent, Slip, SlipRadius, SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds,
+    Tracker, Turning, Unloading, Vehicle, VehicleParams, Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
 };
 
 fn main() {
