@@ -36,6 +36,9 @@ use crate::forces::{ForceModel, Method};
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::rolling::WheelOnSoil;
 
+/// Wheels of stations that turn as they are told whatever the others do.
+type Told = Vec<Option<VehicleWheel>>;
+
 /// Wheels that stand side by side under equal loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
