@@ -17,6 +17,7 @@
 //! Left out: the reaction of the torques on the body, the change of its pitch with the sinkages, suspension that evens out loads, and
 //! all motion across the slope.
 
+mod command;
 mod drive;
 mod error;
 mod loads;
@@ -24,11 +25,11 @@ mod rut;
 mod slope;
 mod turning;
 
+pub use command::{Drive, Turning};
 pub use drive::{Driven, VehicleWheel};
 pub use error::VehicleError;
 pub use rut::Unloading;
 pub use slope::{LargestSlope, OnSlope, SlopeLimit};
-pub use turning::{Drive, Turning};
 
 use crate::braking::Braking;
 use crate::fault::InvalidInput;

@@ -4,7 +4,7 @@
 //! among them: the wheel that holds least torque T at that slip has it, and every other slips less, by as much as its T_i(s_i) = T asks.
 //! So a limit of the slip holds for all of them, and the torques stay equal on wheels of different loads and soils.
 
-use super::{Driven, Told, Vehicle, VehicleError, VehicleWheel};
+use super::{Driven, Told, Turning, Vehicle, VehicleError, VehicleWheel};
 use crate::error::Error;
 use crate::numerics::brent::{Sample, bracketed_root};
 use crate::slip::Slip;
@@ -18,26 +18,6 @@ const TOLERANCE: f64 = 1e-13;
 
 /// Largest miss of a torque, as a share of the torque by which the bracket misses it: beyond it the torque jumps.
 const LARGEST_MISS: f64 = 1e-6;
-
-/// How the wheels of a station turn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Turning {
-    /// As the [`Drive`] of the rover says.
-    Together,
-    /// At a slip of their own, such as −1 of a locked wheel.
-    AtSlip(Slip),
-    /// Under a torque (N·m) of their own, such as 0 of a wheel that rolls freely.
-    UnderTorque(f64),
-}
-
-/// What the wheels that turn together have in common.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drive {
-    /// Their slip, as by wheels of one speed on even ground.
-    OneSlip,
-    /// Their torque, as by motors that share a current or by open differentials.
-    EqualTorque,
-}
 
 impl Vehicle {
     /// The wheels that are told how to turn, under these loads (N). In ruts they depend on those before, and are left out here.
