@@ -29,9 +29,6 @@ import { connectValidation } from "./validation/validation.js";
 
 /** @type {Catalogue} */
 const EMPTY_CATALOGUE = { wheels: new Map(), soils: new Map() };
-/** After this the status line says that the results are not yet those of the inputs. */
-const SLOW_MS = 500;
-
 const app = byId("app");
 const fourth = find(app, "#fourth", HTMLSelectElement);
 
@@ -52,6 +49,8 @@ const view = createView(app, {
 const measurements = connectMeasurements(byId("measurements"), {
   settings: () => settingsOf(state, catalogue),
   onData: () => view.drawSlipCharts(),
+  onLoadKnown: () => change({ by: "static", load_known: "1" }, { discrete: true }),
+  onCircle: (circle) => change({ slip_radius: circle }, { discrete: true }),
   onSoil: (found) => change(changesFor(found, state, catalogue), { discrete: true }),
 });
 const rounds = createRounds({
@@ -65,7 +64,7 @@ const address = createAddress(() => state, () => {
   takeAddress();
   showControls();
   view.drawSlipCharts();
-  rounds.request({ supersede: true });
+  ask({ supersede: true });
 });
 
 /**
@@ -98,7 +97,7 @@ function change(changes, { discrete }) {
   state = consistent(changes.braking === "" ? withoutBraking(next) : next);
   address.write({ discrete });
   showControls();
-  rounds.request({ supersede: discrete });
+  ask({ supersede: discrete });
 }
 
 function showControls() {
@@ -121,7 +120,6 @@ async function fillCatalogue() {
 /** @param {AbortSignal} signal */
 async function round(signal) {
   app.dataset.busy = "true";
-  const slow = setTimeout(status.loading, SLOW_MS);
   try {
     await fillCatalogue();
     const settings = settingsOf(state, catalogue);
@@ -132,9 +130,21 @@ async function round(signal) {
     const outcomes = await askAll(settings, signal);
     if (!signal.aborted) showFaults(faultsOf(outcomes), view.show(settings, outcomes));
   } finally {
-    clearTimeout(slow);
     app.dataset.busy = "false";
   }
+}
+
+/** From an input until its answer nothing on the page is the answer to the inputs. */
+function markPending() {
+  view.markStale(ALL_PARTS);
+  measurements.tell();
+  status.pending();
+}
+
+/** What is asked for after the inputs have changed. @param {{ supersede: boolean }} how */
+function ask(how) {
+  markPending();
+  rounds.request(how);
 }
 
 /**
@@ -144,9 +154,12 @@ async function round(signal) {
  */
 function showFaults(faults, stale) {
   const placed = controls.showFaults(faults);
-  view.markStale(stale);
-  if (placed.length) status.faults(placed);
-  else status.ready();
+  if (!rounds.isLatest()) markPending();
+  else {
+    view.markStale(stale);
+    if (placed.length) status.faults(placed);
+    else status.ready();
+  }
   app.dataset.round = String(Number(app.dataset.round) + 1);
   // Before the first results the page is so short that this section is in view at once.
   if (!isValidationConnected) connectValidation(byId("validation"));

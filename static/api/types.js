@@ -25,6 +25,7 @@
 /** @typedef {Schemas["CatalogueWheel"]} CatalogueWheel */
 /** @typedef {Schemas["CatalogueSoil"]} CatalogueSoil */
 /** @typedef {Schemas["CatalogueValue"]} CatalogueValue */
+/** @typedef {Schemas["CatalogueSubstitute"]} CatalogueSubstitute */
 /** @typedef {Schemas["CatalogueLaw"]} CatalogueLaw */
 /** @typedef {{ wheels: Map<string, CatalogueWheel>, soils: Map<string, CatalogueSoil> }} Catalogue */
 /** @typedef {Schemas["Identification"]} Identification */

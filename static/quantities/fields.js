@@ -5,11 +5,13 @@ import { asField, noteAt } from "./declared.js";
 import { LAW_FIELDS } from "./law-fields.js";
 import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
 
-/** @import { CatalogueLaw, CatalogueSoil, CatalogueWheel } from "../api/types.js" */
+/** @import { CatalogueLaw, CatalogueSoil, CatalogueSubstitute, CatalogueWheel } from "../api/types.js" */
 /** @import { Dress } from "./declared.js" */
 /** @import { Unit } from "./units.js" */
 
 /** @typedef {{ min: number, max: number, step: number }} SliderRange */
+
+/** @typedef {ReadonlyMap<string, CatalogueSubstitute>} Substitutes for values that were never published, by their pointers */
 
 /**
  * What untouched fields follow: the chosen entries of the catalogue, and their laws as far as the laws on the page can use them.
@@ -20,6 +22,7 @@ import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
  * @property {CatalogueLaw} contact
  * @property {CatalogueLaw} shear
  * @property {boolean} braking
+ * @property {Substitutes} assumed those in force
  * @property {number | null} [radius] as set on the page
  */
 
@@ -34,6 +37,7 @@ import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
  * @property {Unit} unit
  * @property {(preset: Preset) => number | null | undefined} base the value while untouched (SI); none where the catalogue has none
  * @property {(preset: Preset) => SliderRange} [slider] in the unit of the page
+ * @property {(substitutes: Substitutes) => CatalogueSubstitute | undefined} [substitute] the one among them that is its own
  * @property {boolean} [signed] takes negative numbers
  * @property {string} [blank] what an empty box means, where it is no gap
  * @property {"exact"} [word] taken in place of a number

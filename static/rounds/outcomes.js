@@ -110,10 +110,18 @@ export async function askAll(settings, signal) {
 }
 
 /**
+ * Under a known load the closed forms need no law of pressure and sinkage, but the stresses along the contact do: the forces stand
+ * without them.
+ * @param {Outcomes} outcomes
+ */
+export const hasForcesAlone = ({ forces, profile }) => forces.answer?.normal_stress_from === "load" && profile.problem !== undefined;
+
+/**
  * The faults of the chosen method's outcomes, each once, though several requests may have it.
  * @param {Outcomes} outcomes
  */
-export function faultsOf({ forces, sweep, profile }) {
-  const faults = [forces, sweep, profile].flatMap(({ problem }) => problem?.faults ?? []);
+export function faultsOf(outcomes) {
+  const { forces, sweep, profile } = outcomes;
+  const faults = [forces, sweep, ...(hasForcesAlone(outcomes) ? [] : [profile])].flatMap(({ problem }) => problem?.faults ?? []);
   return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
 }

@@ -1,6 +1,8 @@
 // The warnings of a round, by the part of the page that they are about.
 
 import { METHOD_NAMES } from "../quantities/results.js";
+import { hasForcesAlone } from "./outcomes.js";
+import { faultText } from "../wording/faults.js";
 import { resultWarning, sweepWarning } from "../wording/warnings.js";
 
 /** @import { WarningWords } from "../wording/warnings.js" */
@@ -36,7 +38,8 @@ const urgentFirst = (warnings) => [...warnings.filter(isUrgent), ...warnings.fil
  * What is said of the results is not said again of the curves.
  * @param {Outcomes} outcomes
  */
-export function warningsOf({ sweep, profile, byMethod, series }) {
+export function warningsOf(outcomes) {
+  const { sweep, profile, byMethod, series } = outcomes;
   const isCompared = byMethod.length > 1;
   const slips = series[0]?.columns.slip ?? [];
   const ofForces = byMethod.flatMap(({ method, forces: { answer } }) =>
@@ -46,5 +49,8 @@ export function warningsOf({ sweep, profile, byMethod, series }) {
   const said = new Set(ofForces.map(({ gist }) => gist));
   /** @param {WarningWords[]} warnings */
   const further = (warnings) => gathered(warnings.filter(({ gist }) => !said.has(gist)));
-  return { forces: urgentFirst(gathered(ofForces)), sweep: further(ofSweep), profile: further(ofProfile) };
+  /** @type {ShownWarning[]} */
+  const refused = hasForcesAlone(outcomes) ? [{ code: "no_profile", methods: [],
+    text: `The forces need no law of pressure and sinkage here, the stresses do: it ${profile.problem?.faults.map((fault) => faultText(fault)).join(" ")}` }] : [];
+  return { forces: urgentFirst(gathered(ofForces)), sweep: further(ofSweep), profile: [...refused, ...further(ofProfile)] };
 }

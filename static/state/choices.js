@@ -17,6 +17,8 @@ import { FIELDS, fieldNamed } from "../quantities/fields.js";
  * @property {string} soil
  * @property {Method} method
  * @property {Given} by
+ * @property {string} load_known "1" where the load is known beside a sinkage, else empty
+ * @property {string} assume "1" where the catalogue's substitutes for unpublished values are taken, else empty
  * @property {string} compare "1" where it is ticked, else empty
  * @property {string} braking "1" where it is ticked, else empty
  * @property {"one_zone" | "two_zone"} braking_law
@@ -25,6 +27,8 @@ import { FIELDS, fieldNamed } from "../quantities/fields.js";
  * @property {string | null} rule null while the soil's own
  * @property {"lyasko" | "linear"} slip_sinkage
  * @property {"rim" | "shearing"} normal_stress_radius
+ * @property {"rim" | "shearing" | "lug_tip"} slip_radius
+ * @property {"shearing" | "rim"} shear_displacement_radius
  * @property {"" | "geometric" | "half"} peak_sinkage
  * @property {string} fourth
  */
@@ -42,6 +46,8 @@ const CHOICES = {
   soil: "letter-sand",
   method: "quadrature",
   by: "sinkage",
+  load_known: "",
+  assume: "",
   compare: "",
   braking: "",
   braking_law: "one_zone",
@@ -50,6 +56,8 @@ const CHOICES = {
   rule: null,
   slip_sinkage: "lyasko",
   normal_stress_radius: "rim",
+  slip_radius: "rim",
+  shear_displacement_radius: "shearing",
   peak_sinkage: "",
   fourth: "tractive_efficiency",
 };
