@@ -10,6 +10,7 @@ import { createControls } from "./controls/controls.js";
 import { button, byId, find } from "./dom/find.js";
 import { connectMeasurements } from "./measurements/measurements.js";
 import { connectModel } from "./model/statement.js";
+import { connectRover } from "./rover/rover.js";
 import { ALL_PARTS, createView } from "./results/view.js";
 import { askAll, faultsOf } from "./rounds/outcomes.js";
 import { createRounds } from "./rounds/rounds.js";
@@ -46,6 +47,7 @@ const view = createView(app, {
   onCurves: (series) => measurements.compare(series),
   onPick: (percent) => change({ slip_pct: String(Number(percent.toFixed(6))) }, { discrete: true }),
 });
+const rover = connectRover(byId("rover-section"), (degrees) => change({ slope_deg: String(Number(degrees.toFixed(6))) }, { discrete: true }));
 const measurements = connectMeasurements(byId("measurements"), {
   settings: () => settingsOf(state, catalogue),
   onData: () => view.drawSlipCharts(),
@@ -128,7 +130,10 @@ async function round(signal) {
       return;
     }
     const outcomes = await askAll(settings, signal);
-    if (!signal.aborted) showFaults(faultsOf(outcomes), view.show(settings, outcomes));
+    if (signal.aborted) return;
+    const stale = view.show(settings, outcomes);
+    await rover.show(settings, outcomes.rover);
+    if (!signal.aborted) showFaults(faultsOf(outcomes), stale);
   } finally {
     app.dataset.busy = "false";
   }

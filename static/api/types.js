@@ -37,6 +37,9 @@
 /** @typedef {Schemas["TrackRequest"]} TrackRequest */
 /** @typedef {Schemas["TrackColumns"]} TrackColumns */
 /** @typedef {Schemas["TrackEvent"]} TrackEvent */
+/** @typedef {Schemas["VehicleRequest"]} VehicleRequest */
+/** @typedef {Schemas["VehicleOnSlope"]} VehicleOnSlope */
+/** @typedef {Schemas["VehicleOverSlopes"]} VehicleOverSlopes */
 /** @typedef {Schemas["Model"]} Model */
 /** @typedef {Schemas["Equation"]} Equation */
 /** @typedef {Schemas["ParameterNote"]} ParameterNote */

@@ -39,7 +39,7 @@ const CHOICE_POINTERS = {
   wheel: "/wheel", soil: "/soil", method: "/method", law: "/soil/pressure_sinkage", shear: "/soil/shear",
   rule: "/contact", ...LISTED_POINTERS,
 };
-const TICKS = ["compare", "braking", "load_known", "assume"];
+const TICKS = ["compare", "braking", "load_known", "assume", "rover", "rut"];
 const PRESETS = ["wheel", "soil"];
 
 /** @param {string} text */
@@ -119,6 +119,9 @@ export function createControls(form, onChange) {
   let followed = {};
   let isFilled = false;
 
+  const axles = find(form, "#axles", HTMLInputElement);
+  axles.addEventListener("input", () => onChange({ axles: axles.value }, { discrete: false }));
+
   const rows = FIELDS.map((field) => {
     const row = createFieldRow(field, {
       followsPreset: PRESET_GROUPS.includes(field.group),
@@ -132,6 +135,7 @@ export function createControls(form, onChange) {
   const showSections = createSections(form, onChange);
   const places = [
     ...rows.map(({ field, input, fault }) => ({ pointer: field.pointer, field, input, fault })),
+    { pointer: "/stations", input: axles, fault: find(form, "#axles-fault") },
     ...Object.entries(CHOICE_POINTERS).map(([key, pointer]) => choicePlace(find(form, `select[name="${key}"]`, HTMLSelectElement), pointer)),
   ];
 
@@ -157,6 +161,7 @@ export function createControls(form, onChange) {
      */
     offers(key, value) {
       if (PRESETS.includes(key) && !isFilled) return true;
+      if (key === "axles") return true;
       if (TICKS.includes(key)) return value === "" || value === "1";
       const input = form.elements.namedItem(key);
       const offered = input instanceof HTMLSelectElement ? [...input.options] : radios;
@@ -175,6 +180,8 @@ export function createControls(form, onChange) {
       }
       for (const { key, box } of ticks) box.checked = state[key] !== "";
       enclosing(find(form, "#assume"), ".assume").hidden = context.offered.size === 0 && state.assume === "";
+      if (axles.value !== state.axles) axles.value = state.axles ?? "";
+      find(form, "#rover-group").hidden = state.rover === "";
       for (const radio of radios) radio.checked = radio.value === state.by;
       const groups = activeGroups(state, context);
       for (const container of findAll(form, "[data-fields]")) container.hidden = !groups.has(container.dataset.fields ?? "");

@@ -3,6 +3,7 @@
 import { roundStep, roundedUp } from "../numbers/steps.js";
 import { asField, noteAt } from "./declared.js";
 import { LAW_FIELDS } from "./law-fields.js";
+import { ROVER_FIELDS } from "./rover-fields.js";
 import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
 
 /** @import { CatalogueLaw, CatalogueSoil, CatalogueSubstitute, CatalogueWheel } from "../api/types.js" */
@@ -121,7 +122,7 @@ const EXPLICIT = [
     base: () => 0 },
 ];
 
-export const FIELDS = [...OPERATION, ...PARAMETERS, ...LAW_FIELDS, ...EXPLICIT];
+export const FIELDS = [...OPERATION, ...PARAMETERS, ...LAW_FIELDS, ...EXPLICIT, ...ROVER_FIELDS];
 
 /** @param {string} name */
 export function fieldNamed(name) {

@@ -21,11 +21,11 @@ import { showWarnings, showWarningsLink } from "./warnings.js";
 /** @import { ShownSweep } from "../figures/over-slip.js" */
 /** @import { Settings } from "../state/settings.js" */
 
-/** @typedef {"tiles" | "scene" | "profile" | "sweep"} Part */
+/** @typedef {"tiles" | "scene" | "profile" | "sweep" | "rover"} Part */
 /** @typedef {{ path: string, body: object }} Asked */
 
 /** @type {Part[]} */
-export const ALL_PARTS = ["tiles", "scene", "profile", "sweep"];
+export const ALL_PARTS = ["tiles", "scene", "profile", "sweep", "rover"];
 
 const SLIP_CHARTS = [
   { id: "longitudinal-force-chart", quantity: "longitudinal_force_n", symbol: "F_x" },
@@ -146,9 +146,10 @@ export function createView(app, { fourth, measured, onCurves, onPick }) {
       showProfile(settings, outcomes);
       showSweep(settings, outcomes);
       showAllWarnings(outcomes);
-      const { forces, profile, sweep } = outcomes;
-      const answered = { tiles: forces, scene: forces, profile, sweep };
-      return ALL_PARTS.filter((part) => !answered[part].answer);
+      const { forces, profile, sweep, rover: onSlopes } = outcomes;
+      const isRoverAnswered = !onSlopes || Boolean(onSlopes.slope.answer && onSlopes.slopes.answer);
+      const answered = { tiles: forces.answer, scene: forces.answer, profile: profile.answer, sweep: sweep.answer, rover: isRoverAnswered };
+      return ALL_PARTS.filter((part) => !answered[part]);
     },
 
     /**

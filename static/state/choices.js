@@ -20,6 +20,9 @@ import { FIELDS, fieldNamed } from "../quantities/fields.js";
  * @property {string} load_known "1" where the load is known beside a sinkage, else empty
  * @property {string} assume "1" where the catalogue's substitutes for unpublished values are taken, else empty
  * @property {string} compare "1" where it is ticked, else empty
+ * @property {string} rover "1" where it is ticked, else empty
+ * @property {string} axles the places of its axles (mm) as typed, empty where its wheels carry equal loads
+ * @property {string} rut "1" where wheels run in the ruts of those before them, else empty
  * @property {string} braking "1" where it is ticked, else empty
  * @property {"one_zone" | "two_zone"} braking_law
  * @property {string | null} law null while the soil's own
@@ -49,6 +52,9 @@ const CHOICES = {
   load_known: "",
   assume: "",
   compare: "",
+  rover: "",
+  axles: "",
+  rut: "",
   braking: "",
   braking_law: "one_zone",
   law: null,

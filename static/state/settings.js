@@ -4,10 +4,11 @@ import { siFromText, typingAdvice } from "../quantities/field-values.js";
 import { FIELDS } from "../quantities/fields.js";
 import { CONTACT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsAt } from "../quantities/law-fields.js";
 import { comparedWith } from "../quantities/results.js";
+import { axlePlaces } from "./axles.js";
 import { DEFAULTS } from "./choices.js";
 import { activeGroups, contextOf, isLoadBeside, takesSlipAngle } from "./preset.js";
 
-/** @import { Catalogue, Contact, FieldFault, ForcesRequest, Method, Soil, Wheel } from "../api/types.js" */
+/** @import { Catalogue, Contact, FieldFault, ForcesRequest, Method, Soil, VehicleRequest, Wheel } from "../api/types.js" */
 /** @import { Field } from "../quantities/fields.js" */
 /** @import { State } from "./choices.js" */
 /** @import { Context } from "./preset.js" */
@@ -16,6 +17,19 @@ import { activeGroups, contextOf, isLoadBeside, takesSlipAngle } from "./preset.
 /** @typedef {FieldFault & { local: true }} TypingFault */
 /** @typedef {"sinkage_m" | "normal_load_n" | "static_sinkage_m"} GivenName */
 /** @typedef {Pick<ForcesRequest, GivenName | "slip_sinkage">} GivenPart */
+
+/**
+ * @typedef {object} Rover
+ * @property {number} count
+ * @property {number[] | null} places of the axles (m), null where the wheels are alike
+ * @property {number | undefined} massPlace
+ * @property {number | undefined} massHeight
+ * @property {boolean} rut
+ * @property {number} slope
+ * @property {number} from
+ * @property {number} to
+ * @property {Pick<VehicleRequest, "mass_kg" | "gravity_m_s2" | "hitch_pull_n" | "slip_limit" | "forward_velocity_m_s">} whole
+ */
 
 /**
  * @typedef {object} Settings
@@ -36,6 +50,7 @@ import { activeGroups, contextOf, isLoadBeside, takesSlipAngle } from "./preset.
  * @property {"" | "geometric" | "half"} peakSinkage
  * @property {Pick<ForcesRequest, "lambda_a" | "lambda_b">} lambdas
  * @property {boolean} braking
+ * @property {Rover | null} rover null where none is asked for
  * @property {{ radius: number | null, lugHeight: number, lugCount: number | null }} drawing
  */
 
@@ -134,6 +149,24 @@ function givenOf(state, { complete }) {
   return /** @type {GivenPart} */ ({ ...complete(state.by), ...load, ...law });
 }
 
+/** @param {State} state @returns {TypingFault[]} */
+const axleFaults = ({ rover, axles }) => (rover !== "" && axles.trim() && !axlePlaces(axles)
+  ? [{ pointer: "/stations", local: true, detail: "Type the place of each axle in mm with blanks between them, such as 600 0 -600." }] : []);
+
+/**
+ * @param {State} state
+ * @param {Fields} fields
+ * @returns {Rover}
+ */
+function roverOf({ axles, rut }, { complete }) {
+  const { slope_rad: slope, from, to, ...whole } = complete("rover");
+  const { x_m: massPlace, height_m: massHeight } = complete("rover_stations");
+  return /** @type {Rover} */ ({
+    count: complete("rover_alike").count, places: axles.trim() ? axlePlaces(axles) : null, massPlace, massHeight, rut: rut !== "",
+    slope, from, to, whole: /** @type {unknown} */ (JSON.parse(JSON.stringify(whole))),
+  });
+}
+
 /**
  * Without lugs all circles are one.
  * @param {State} state
@@ -154,7 +187,7 @@ export function settingsOf(state, catalogue) {
   const context = contextOf(state, catalogue);
   const fields = readFields(state, context);
   return {
-    unreadable: fields.unreadable,
+    unreadable: [...fields.unreadable, ...axleFaults(state)],
     law: context.law,
     isLacking: fields.isLacking,
     assumed: fields.assumed,
@@ -171,6 +204,7 @@ export function settingsOf(state, catalogue) {
     peakSinkage: state.peak_sinkage,
     lambdas: /** @type {Settings["lambdas"]} */ (fields.overrides("explicit")),
     braking: context.braking,
+    rover: state.rover === "" ? null : roverOf(state, fields),
     drawing: {
       radius: context.radius ?? null,
       lugHeight: Number(fields.complete("wheel").lug_height_m ?? 0),
