@@ -132,7 +132,7 @@ async function round(signal) {
     const outcomes = await askAll(settings, signal);
     if (signal.aborted) return;
     const stale = view.show(settings, outcomes);
-    await rover.show(settings, outcomes.rover);
+    await rover.show(settings, outcomes.rover, (outcomes.forces.answer?.warnings ?? []).map(({ code }) => code));
     if (!signal.aborted) showFaults(faultsOf(outcomes), stale);
   } finally {
     app.dataset.busy = "false";

@@ -2,6 +2,7 @@
 
 import { html } from "../dom/elements.js";
 import { find } from "../dom/find.js";
+import { EXIT, lawsOf } from "../quantities/law-fields.js";
 
 /**
  * @typedef {object} Choice
@@ -16,6 +17,8 @@ import { find } from "../dom/find.js";
 const CHOICES = [
   { key: "braking_law", pointer: "/braking", label: "Shear zones of a braking wheel",
     options: { one_zone: "One: as under a driving wheel", two_zone: "Two: Wong and Reece" } },
+  { key: "exit", pointer: EXIT, label: "End of the contact",
+    options: { "": "c₃: θ₂ = c₃ θ₁", ...Object.fromEntries(lawsOf(EXIT).map(({ name, formula }) => [name, formula])) } },
   { key: "slip_sinkage", pointer: "/slip_sinkage", label: "Slip–sinkage law",
     options: { lyasko: "Lyasko: z₀ (1 + s)/(1 − s/2)", linear: "Linear: z₀ (1 + S s)" } },
   { key: "normal_stress_radius", pointer: "/normal_stress_radius", label: "Normal stress acts at",

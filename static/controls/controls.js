@@ -5,7 +5,7 @@ import { html } from "../dom/elements.js";
 import { enclosing, find, findAll } from "../dom/find.js";
 import { capitalised } from "../numbers/format.js";
 import { FIELDS } from "../quantities/fields.js";
-import { CONTACT, PRESSURE_SINKAGE, SHEAR, groupsOf, lawsOf } from "../quantities/law-fields.js";
+import { CONTACT, EXIT, PRESSURE_SINKAGE, SHEAR, groupsOf, lawsOf } from "../quantities/law-fields.js";
 import { DEFAULTS } from "../state/choices.js";
 import { activeGroups, slipAngleNote } from "../state/preset.js";
 import { LISTED_POINTERS, fillChoices } from "./choice-list.js";
@@ -30,7 +30,7 @@ const SECTIONS = {
   wheel: { fields: ["wheel"], choices: [] },
   strength: { fields: ["strength", "grains", ...groupsOf(SHEAR)], choices: ["shear"] },
   pressure: { fields: groupsOf(PRESSURE_SINKAGE), choices: ["law"] },
-  options: { fields: [...groupsOf(CONTACT), "explicit"], choices: ["rule", "normal_stress_radius", "slip_radius", "shear_displacement_radius", "peak_sinkage"] },
+  options: { fields: [...groupsOf(CONTACT), ...groupsOf(EXIT), "interface", "explicit"], choices: ["rule", "exit", "normal_stress_radius", "slip_radius", "shear_displacement_radius", "peak_sinkage"] },
 };
 const PRESET_GROUPS = Object.values(SECTIONS).flatMap(({ fields }) => fields);
 

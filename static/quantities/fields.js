@@ -81,6 +81,13 @@ const ofWheel = (name, dress) => asField(noteAt(`/wheel/${name}`), "wheel", dres
 const ofSoil = (name, dress, group = "strength") => asField(noteAt(`/soil/${name}`), group, dress,
   ({ soil }) => /** @type {number | undefined} */ (soil?.soil[name]));
 
+/**
+ * Between a bare rim and the soil. The catalogue has none.
+ * @param {string} name
+ * @param {Dress & { key: string, name: string }} dress
+ */
+const ofInterface = (name, dress) => asField(noteAt(`/contact/interface/${name}`), "interface", dress, () => undefined);
+
 /** @type {Field[]} */
 const OPERATION = [
   { group: "slip", key: "slip_pct", name: "slip", pointer: "/slip", label: "Slip", symbol: "s", unit: PERCENT, signed: true,
@@ -105,6 +112,9 @@ const PARAMETERS = [
   ofWheel("width_m", { key: "width_mm", name: "width", slider: [10, 500, 1] }),
   ofWheel("lug_height_m", { key: "lug_mm", name: "lug_height", slider: [0, 50, 0.5] }),
   ofWheel("lug_coefficient", { key: "lug_coef", name: "lug_coefficient", slider: [0, 1, 0.05] }),
+  ofInterface("friction_angle_rad", { key: "delta_deg", name: "interface_friction", blank: "the soil’s" }),
+  ofInterface("adhesion_pa", { key: "adhesion_kpa", name: "interface_adhesion", blank: "the soil’s" }),
+  ofInterface("shear_modulus_m", { key: "ki_mm", name: "interface_modulus", blank: "the soil’s" }),
   ofSoil("cohesion_pa", { key: "c_kpa", name: "cohesion", slider: [0, 10, 0.05] }),
   ofSoil("friction_angle_rad", { key: "phi_deg", name: "friction_angle", slider: [0, 60, 0.5] }),
   ofSoil("bulk_density_kg_m3", { key: "rho_kg_m3", name: "bulk_density", slider: [800, 2200, 5] }, "grains"),

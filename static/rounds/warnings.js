@@ -5,6 +5,7 @@ import { hasForcesAlone } from "./outcomes.js";
 import { faultText } from "../wording/faults.js";
 import { resultWarning, sweepWarning } from "../wording/warnings.js";
 
+/** @import { Warning } from "../api/types.js" */
 /** @import { WarningWords } from "../wording/warnings.js" */
 /** @import { Outcomes } from "./outcomes.js" */
 
@@ -40,12 +41,14 @@ const urgentFirst = (warnings) => [...warnings.filter(isUrgent), ...warnings.fil
  */
 export function warningsOf(outcomes) {
   const { sweep, profile, byMethod, series } = outcomes;
+  /** What was assumed stands with its reasons among what the results rest on. @param {Warning} warning */
+  const isNews = ({ code }) => code !== "assumed_values";
   const isCompared = byMethod.length > 1;
   const slips = series[0]?.columns.slip ?? [];
   const ofForces = byMethod.flatMap(({ method, forces: { answer } }) =>
-    (answer?.warnings ?? []).map((warning) => ({ ...resultWarning(warning), methods: isCompared ? [method] : [] })));
-  const ofSweep = (sweep.answer?.warnings ?? []).map((warning) => sweepWarning(warning, slips));
-  const ofProfile = (profile.answer?.warnings ?? []).map(resultWarning);
+    (answer?.warnings ?? []).filter(isNews).map((warning) => ({ ...resultWarning(warning), methods: isCompared ? [method] : [] })));
+  const ofSweep = (sweep.answer?.warnings ?? []).filter(isNews).map((warning) => sweepWarning(warning, slips));
+  const ofProfile = (profile.answer?.warnings ?? []).filter(isNews).map(resultWarning);
   const said = new Set(ofForces.map(({ gist }) => gist));
   /** @param {WarningWords[]} warnings */
   const further = (warnings) => gathered(warnings.filter(({ gist }) => !said.has(gist)));

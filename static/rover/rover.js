@@ -28,14 +28,15 @@ export function connectRover(section, onSlope) {
     /**
      * @param {Settings} settings
      * @param {RoverOutcome | null} outcome
+     * @param {string[]} said codes of the warnings about the wheel by itself
      */
-    async show(settings, outcome) {
+    async show(settings, outcome, said) {
       section.hidden = outcome === null;
       if (!outcome?.slope.answer || !outcome.slopes.answer) return;
       shown = { settings, body: outcome.slopes.body };
       const { slope, slopes } = outcome;
       view ??= import("./view.js").then(({ createRoverView }) => createRoverView(find(section, "[data-rover]"), onSlope));
-      (await view).show(settings, slope.answer, slopes.answer);
+      (await view).show(settings, slope.answer, slopes.answer, said);
     },
   };
 }

@@ -65,11 +65,11 @@ export function createRoverView(host, onSlope) {
     html("dl", { class: "tiles", id: "rover-tiles" }, ...TILES.map(({ name, symbol }) => html("div", { class: "tile" },
       html("dt", {}, ...titleWithSymbol(QUANTITIES[name].name, symbol)), html("dd", { "data-rover-result": name }, "–")))),
     html("ul", { id: "rover-warnings", class: "warnings", "aria-label": "Warnings about the rover", hidden: true }),
-    html("div", { class: "comparison", id: "rover-table", tabindex: "0", role: "region", "aria-label": "The wheels of the rover" }),
     html("div", { class: "rover-figures" },
       html("figure", {}, html("figcaption", {}, html("h3", {}, "On the slope")),
         html("div", { class: "plot tall", id: "rover-scene" }), html("p", { class: "figure-note", id: "rover-scene-note" })),
-      ...SLOPE_CHARTS.map(({ id, name, symbol }) => chartFigure(id, titleWithSymbol(QUANTITIES[name].name, symbol)))));
+      ...SLOPE_CHARTS.map(({ id, name, symbol }) => chartFigure(id, titleWithSymbol(QUANTITIES[name].name, symbol)))),
+    html("div", { class: "comparison", id: "rover-table", tabindex: "0", role: "region", "aria-label": "The wheels of the rover" }));
   const scene = createRoverScene(byId("rover-scene"), byId("rover-scene-note"));
   const charts = SLOPE_CHARTS.map(({ id, name }) => ({
     name, chart: createChart(byId(id), { onCursor: (slope) => charts.forEach(({ chart }) => chart.setCursor(slope)), onPick: onSlope }),
@@ -80,8 +80,9 @@ export function createRoverView(host, onSlope) {
      * @param {Settings} settings
      * @param {VehicleOnSlope} rover
      * @param {VehicleOverSlopes} slopes
+     * @param {string[]} said codes of the warnings about the wheel by itself
      */
-    show(settings, rover, slopes) {
+    show(settings, rover, slopes, said) {
       const values = /** @type {Record<string, any>} */ (rover);
       find(host, "#rover-verdict").textContent = verdict(rover);
       for (const { name } of TILES) {
@@ -90,7 +91,7 @@ export function createRoverView(host, onSlope) {
         tile.dataset.value = String(values[name] ?? "");
         tile.title = name === "power_w" && typeof values[name] !== "number" ? "Set the velocity" : "";
       }
-      showWarnings(find(host, "#rover-warnings"), roverWarnings(rover, slopes));
+      showWarnings(find(host, "#rover-warnings"), roverWarnings(rover, slopes, said));
       const wheels = find(host, "#rover-table");
       wheels.replaceChildren(...(rover.wheels.length ? [wheelTable(rover)] : []));
       wheels.hidden = !rover.wheels.length;

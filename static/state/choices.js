@@ -28,6 +28,7 @@ import { FIELDS, fieldNamed } from "../quantities/fields.js";
  * @property {string | null} law null while the soil's own
  * @property {string | null} shear null while the soil's own
  * @property {string | null} rule null while the soil's own
+ * @property {string} exit empty where the contact ends by c3, else the law by which it ends
  * @property {"lyasko" | "linear"} slip_sinkage
  * @property {"rim" | "shearing"} normal_stress_radius
  * @property {"rim" | "shearing" | "lug_tip"} slip_radius
@@ -60,6 +61,7 @@ const CHOICES = {
   law: null,
   shear: null,
   rule: null,
+  exit: "",
   slip_sinkage: "lyasko",
   normal_stress_radius: "rim",
   slip_radius: "rim",

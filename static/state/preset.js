@@ -2,7 +2,7 @@
 
 import { numberIn } from "../quantities/field-values.js";
 import { fieldNamed } from "../quantities/fields.js";
-import { CONTACT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsOfLaw, sharedNames } from "../quantities/law-fields.js";
+import { CONTACT, EXIT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsOfLaw, sharedGroups, sharedNames } from "../quantities/law-fields.js";
 import { offeredSubstitutes, substituteLaw, substitutesInForce, withoutLaw } from "./substitutes.js";
 
 /** @import { Catalogue, CatalogueLaw } from "../api/types.js" */
@@ -25,6 +25,8 @@ import { offeredSubstitutes, substituteLaw, substitutesInForce, withoutLaw } fro
 
 /** @typedef {Preset & Laws} Context */
 
+/** The exit takes the place of c3, which is alone in its group. */
+const C3_GROUPS = sharedGroups(CONTACT);
 const RADIUS = fieldNamed("radius");
 const SLIP = fieldNamed("slip");
 const SLIP_ANGLE = fieldNamed("slip_angle");
@@ -108,7 +110,11 @@ export function slipAngleNote(state) {
 export function activeGroups(state, context) {
   const groups = new Set(["slip", "slip_angle", state.by, "wheel", "strength",
     ...groupsOfLaw(PRESSURE_SINKAGE, context.law), ...groupsOfLaw(SHEAR, context.shearLaw), ...groupsOfLaw(CONTACT, context.rule)]);
-  if (context.hasLugs) groups.add("circles");
+  groups.add(context.hasLugs ? "circles" : "interface");
+  if (state.exit !== "") {
+    C3_GROUPS.forEach((group) => groups.delete(group));
+    groupsOfLaw(EXIT, state.exit).forEach((group) => groups.add(group));
+  }
   // The closed forms know no two zones.
   if (state.method === "quadrature" && !state.compare && (context.braking || (context.slip !== null && context.slip < 0))) groups.add("braking_law");
   if (state.by !== "load") groups.add("load_beside");

@@ -2,7 +2,7 @@
 
 import { siFromText, typingAdvice } from "../quantities/field-values.js";
 import { FIELDS } from "../quantities/fields.js";
-import { CONTACT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsAt } from "../quantities/law-fields.js";
+import { CONTACT, EXIT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsAt } from "../quantities/law-fields.js";
 import { comparedWith } from "../quantities/results.js";
 import { axlePlaces } from "./axles.js";
 import { DEFAULTS } from "./choices.js";
@@ -59,6 +59,7 @@ const GIVEN = { sinkage: "sinkage_m", load: "normal_load_n", static: "static_sin
 const LAW_GROUPS = groupsAt(PRESSURE_SINKAGE);
 const SHEAR_GROUPS = groupsAt(SHEAR);
 const CONTACT_GROUPS = groupsAt(CONTACT);
+const EXIT_GROUPS = groupsAt(EXIT);
 
 /** @param {Field} field */
 const apiName = ({ pointer }) => pointer.slice(pointer.lastIndexOf("/") + 1);
@@ -134,8 +135,11 @@ function soilOf(state, context, { isTouched, overrides, complete }) {
 function commonOf(state, context, fields) {
   const wheel = /** @type {Wheel} */ ({ preset: state.wheel, ...fields.overrides("wheel") });
   const common = { wheel, soil: soilOf(state, context, fields), ...(state.assume !== "" && { assume: true }) };
-  if (state.rule === null && !fields.isTouched(...CONTACT_GROUPS)) return common;
-  return { ...common, contact: /** @type {Contact} */ ({ rule: context.rule, ...fields.complete(...CONTACT_GROUPS) }) };
+  const exit = state.exit !== "" && { exit: fields.complete(...EXIT_GROUPS) };
+  const lining = fields.isTouched("interface") && { interface: fields.overrides("interface") };
+  if (state.rule === null && !exit && !lining && !fields.isTouched(...CONTACT_GROUPS)) return common;
+  const contact = { rule: context.rule, ...fields.complete(...CONTACT_GROUPS), ...exit, ...lining };
+  return { ...common, contact: /** @type {Contact} */ (/** @type {unknown} */ (contact)) };
 }
 
 /**

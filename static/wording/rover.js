@@ -5,16 +5,22 @@ import { resultWarning } from "./warnings.js";
 
 /** @import { VehicleOnSlope, VehicleOverSlopes, Warning } from "../api/types.js" */
 
+/** What the page says of the slope in a sentence of its own, and in the curves. */
+const OF_THE_SLOPE = ["not_climbed", "slip_beyond_limit"];
+/** What the page says of the wheel and of what is assumed. */
+const SAID = ["assumed_values"];
+
 /** @param {Warning} warning */
-const worded = (warning) => (warning.code === "not_climbed" ? { code: warning.code, text: capitalised(warning.finding) } : resultWarning(warning));
+const worded = (warning) => (OF_THE_SLOPE.includes(warning.code) ? { code: warning.code, text: capitalised(warning.finding) } : resultWarning(warning));
 
 /**
  * @param {VehicleOnSlope} rover
  * @param {VehicleOverSlopes} slopes
+ * @param {string[]} said codes of the warnings about the wheel by itself
  */
-export function roverWarnings({ warnings }, { warnings: further }) {
-  const codes = warnings.map(({ code }) => code);
-  // That a curve ends is seen in the curve.
-  const added = further.filter(({ code }) => !codes.includes(code) && code !== "not_climbed");
-  return [...warnings, ...added].map(worded);
+export function roverWarnings({ warnings }, { warnings: further }, said) {
+  const own = warnings.filter(({ code }) => !said.includes(code) && !SAID.includes(code));
+  const codes = [...said, ...SAID, ...OF_THE_SLOPE, ...own.map(({ code }) => code)];
+  const added = further.filter(({ code }) => !codes.includes(code));
+  return [...own.map(worded), ...added.map((warning) => ({ code: warning.code, text: `On other slopes: ${worded(warning).text}` }))];
 }
