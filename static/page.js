@@ -8,8 +8,8 @@ import { catalogueOf } from "./api/endpoints.js";
 import { showNominalLoad, showOrigin } from "./catalogue/presets.js";
 import { createControls } from "./controls/controls.js";
 import { button, byId, find } from "./dom/find.js";
-import { connectMeasurements } from "./measurements/measurements.js";
-import { connectModel } from "./model/statement.js";
+import { connectMeasurements } from "./measurements/section.js";
+import { connectModel } from "./model/dialog.js";
 import { connectRover } from "./rover/rover.js";
 import { ALL_PARTS, createView } from "./results/view.js";
 import { askAll, faultsOf } from "./rounds/outcomes.js";
@@ -21,7 +21,7 @@ import { changesFor } from "./state/found-soil.js";
 import { contextOf } from "./state/preset.js";
 import { settingsOf } from "./state/settings.js";
 import { createStatus } from "./status/status.js";
-import { connectValidation } from "./validation/validation.js";
+import { connectValidation } from "./validation/section.js";
 
 /** @import { Catalogue } from "./api/types.js" */
 /** @import { ShownFault } from "./controls/faults.js" */

@@ -9,7 +9,6 @@ import { TableFault, parseTable } from "../table/parse.js";
 import { samplesOf } from "../table/samples.js";
 import { connectTelemetry } from "../telemetry/telemetry.js";
 import { distanceTable } from "./distance-table.js";
-import { connectChoice, connectDrop } from "./drop-zone.js";
 import { useOf } from "./use.js";
 
 /** @import { SweepSeries } from "../figures/over-slip.js" */
@@ -20,6 +19,8 @@ import { useOf } from "./use.js";
 /** @import { Samples } from "../table/samples.js" */
 
 /** A table that was read, with what its columns are and what that gives. @typedef {{ table: Table, mapping: Mapping, samples: Samples }} Read */
+
+/** @typedef {ReturnType<typeof createMeasurements>} Measurements */
 
 /**
  * @typedef {object} MeasurementEvents
@@ -53,7 +54,7 @@ function tellFaults(faults) {
  * @param {HTMLElement} section
  * @param {MeasurementEvents} events
  */
-export function connectMeasurements(section, { settings, onData, onSoil, onLoadKnown, onCircle }) {
+export function createMeasurements(section, { settings, onData, onSoil, onLoadKnown, onCircle }) {
   const input = find(section, "#measurements-file", HTMLInputElement);
   const preview = byId("measurements-preview");
   const remove = byId("measurements-clear");
@@ -187,11 +188,6 @@ export function connectMeasurements(section, { settings, onData, onSoil, onLoadK
     if (mine === latest) show(table);
   }
 
-  connectChoice(input, load);
-  connectDrop(byId("measurements-drop"), (file) => {
-    section.scrollIntoView({ block: "nearest" });
-    load(file);
-  });
   remove.addEventListener("click", () => {
     input.value = "";
     clear();
@@ -199,6 +195,7 @@ export function connectMeasurements(section, { settings, onData, onSoil, onLoadK
   });
 
   return {
+    load,
     data,
     compare,
     /** Tells what holds of the table under the inputs as they are now. */

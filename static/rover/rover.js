@@ -1,5 +1,6 @@
 // The rover's section. What draws it is loaded when a rover is first asked for.
 
+import { needed } from "../api/client.js";
 import { postForCsv } from "../api/endpoints.js";
 import { button, find } from "../dom/find.js";
 import { connectFile } from "../share/share.js";
@@ -35,7 +36,8 @@ export function connectRover(section, onSlope) {
       if (!outcome?.slope.answer || !outcome.slopes.answer) return;
       shown = { settings, body: outcome.slopes.body };
       const { slope, slopes } = outcome;
-      view ??= import("./view.js").then(({ createRoverView }) => createRoverView(find(section, "[data-rover]"), onSlope));
+      view ??= needed(() => import("./view.js")).then(({ createRoverView }) => createRoverView(find(section, "[data-rover]"), onSlope));
+      view.catch(() => { view = null; });
       (await view).show(settings, slope.answer, slopes.answer, said);
     },
   };
