@@ -70,7 +70,8 @@ export function termsOf(settings, track) {
  * @param {TrackColumns} track
  */
 export function hasLoadBesideSinkage(settings, track) {
-  return trackRequest(settings, track).loadFrom !== null;
+  const { sinkageFrom, loadFrom } = trackRequest(settings, track);
+  return sinkageFrom !== "page" && loadFrom !== null;
 }
 
 /**
