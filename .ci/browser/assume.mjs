@@ -6,18 +6,19 @@ import { assertAnswered, box, faulty, openGroups, ready, url } from "./support/p
 
 /** With what they lack. */
 const LACKING = [
-  { query: "?soil=kls1", at: "shear_modulus", pointers: ["soil.shear_modulus_m"] },
+  { query: "?soil=kls1", at: "shear_modulus", pointers: ["soil.shear_modulus_m"], lacks: /shear deformation modulus/ },
   { query: "?soil=exomars-es1-low", at: "cohesion", pointers: ["soil.cohesion_pa", "soil.friction_angle_rad", "soil.shear_modulus_m"] },
   { query: "?wheel=sojourner&by=load&load_n=6.55", at: "width", pointers: ["wheel.width_m"] },
   { query: "?soil=wong-reece-loose-sand", at: null, pointers: ["soil.pressure_sinkage.k_c", "soil.pressure_sinkage.k_phi", "soil.pressure_sinkage.n0"] },
 ];
 
-for (const { query, at, pointers } of LACKING) {
+for (const { query, at, pointers, lacks } of LACKING) {
   check(`what is missing is assumed in one click: ${query}`, async (page) => {
     await page.goto(url(query));
     await faulty(page);
     await openGroups(page);
     assert.ok(await page.isHidden("#basis"), "nothing is assumed unasked");
+    if (lacks) assert.match(await page.innerText("#soil-grade .gaps"), lacks);
     if (at) await page.click(`[data-assume="${at}"]`);
     else await page.check("#assume");
     await ready(page);

@@ -17,8 +17,8 @@ export const CIRCLE_NAMES = { rim: "the rim", shearing: "the shearing radius", l
 function loadBasis({ given }, { normal_stress_from: from, sinkage_modulus: modulus, granular_stiffness_n_m3: stiffness }) {
   if (from !== "load") return [];
   const load = quantity("normal_force_n", given.normal_load_n);
-  const found = typeof stiffness === "number" ? `the granular stiffness ξ = ${quantity("granular_stiffness_n_m3", stiffness)}`
-    : typeof modulus === "number" ? `the sinkage modulus K_s = ${quantity("sinkage_modulus", modulus)}`
+  const found = typeof stiffness === "number" ? `a granular stiffness of ${quantity("granular_stiffness_n_m3", stiffness)}`
+    : typeof modulus === "number" ? `a sinkage modulus of ${quantity("sinkage_modulus", modulus)}`
       : "the normal stress; the sinkage modulus cancels and is not needed";
   return [{ key: "load", text: `Known load: from ${load} and the sinkage follows ${found}.`, brief: `load ${load} known` }];
 }
