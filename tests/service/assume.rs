@@ -120,6 +120,17 @@ fn every_wheel_answers_with_what_it_assumed() {
     assert_eq!(assumed, 3, "the widths of three flight wheels");
 }
 
+/// A load that is known makes the modulus needless, not the exponent that the quadrature takes of the law.
+#[test]
+fn under_a_known_load_the_quadrature_still_assumes_a_law() {
+    let asked = with(&at_slip(&json!("wong-reece-loose-sand"), &json!("letter")), json!({"sinkage_m": 0.02}));
+    let found = post("/v1/forces", &asked).ok();
+    assert_eq!(found["normal_stress_from"], "load");
+    assert!(assumed_of(&found).iter().any(|(field, _)| field == "soil.pressure_sinkage.n0"), "{found}");
+    let refused = post("/v1/forces", &with(&asked, json!({"assume": null})));
+    assert_eq!(refused.pointers(), ["/soil/pressure_sinkage"]);
+}
+
 /// The answer is that of a request that sends the values it lists.
 #[test]
 fn what_is_assumed_is_what_a_request_could_send() {
