@@ -26,6 +26,9 @@ const ALLOWANCE: f64 = 1e9;
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
 const SOLVED: f64 = 60e6;
 
+/// Operating points that the search for the slip of a pull usually takes.
+const SLIP_SEARCH: f64 = 30.0;
+
 /// How many times the cost of a load balance one in a rut has.
 const RUT: f64 = 2.0;
 
@@ -140,7 +143,7 @@ impl Cost {
     /// The cost of the slip that gives a pull: it usually takes some thirty operating points, and at most some 1500.
     pub(crate) fn of_solved_slip(operation: &Operation) -> Self {
         let Point { usual, .. } = Point::of(operation);
-        Self { usual: 30.0 * usual + Point::ROW, price: ALLOWANCE }
+        Self { usual: SLIP_SEARCH * usual + Point::ROW, price: ALLOWANCE }
     }
 
     /// The cost of `points` operating points for each of several operations, and of writing their rows.
@@ -156,6 +159,17 @@ impl Cost {
         let allowance = if price > NEXT_TO_NOTHING { ALLOWANCE } else { 0.0 };
         Self { usual, price: price + allowance }
     }
+
+    /// The cost of so many requests like one for an operating point, each read by itself; where the slip is solved, of as many searches.
+    pub(crate) fn of_rows(operation: &Operation, solves_slip: bool, rows: usize) -> Self {
+        let point = Point::of(operation);
+        let points = if solves_slip { SLIP_SEARCH } else { 1.0 + Point::at_standstill(operation) };
+        let each = |of_point: f64| rows as f64 * (points * of_point + Self::READ + Point::ROW);
+        Self { usual: each(point.usual), price: ALLOWANCE + each(point.price) }
+    }
+
+    /// What it takes to read a request that is there already (ns).
+    const READ: f64 = 3e3;
 
     /// The cost of a rover on so many slopes: each takes some fifteen slips, and the largest slope some hundred and fifty, with a load
     /// balance for every station at each.

@@ -94,7 +94,7 @@ impl PointValue {
     }
 
     /// The value at a slip without an answer.
-    pub(super) fn without(self, slip: Slip) -> f64 {
+    pub(crate) fn without(self, slip: Slip) -> f64 {
         match self {
             Self::Asked(value) => value(slip),
             Self::Found(_) | Self::OrNone(_) | Self::Sideways(_) => f64::NAN,

@@ -17,6 +17,11 @@ fn columns() -> impl Iterator<Item = (&'static About, PointValue)> {
     point_rows().filter(|(_, of)| of.part.is_column()).map(|(about, of)| (about, of.value))
 }
 
+/// The columns of rows of operating points; with those across the wheel where a slip angle was sent.
+pub(crate) fn point_columns(is_sideways: bool) -> impl Iterator<Item = (&'static About, PointValue)> {
+    columns().filter(move |(_, value)| is_sideways || !value.is_sideways())
+}
+
 /// Columns of operating points.
 #[derive(Debug, Clone)]
 pub(crate) struct OfPoints;
@@ -40,7 +45,7 @@ impl Shape for OfPoints {
 impl PointColumns {
     /// The columns of a sweep of a wheel that moves forward; with those across it where a slip angle was sent.
     pub(crate) fn of(sweep: &SlipSweep, system: &WheelOnSoil, is_sideways: bool) -> Self {
-        let wanted: Vec<_> = columns().filter(|(_, value)| is_sideways || !value.is_sideways()).collect();
+        let wanted: Vec<_> = point_columns(is_sideways).collect();
         let mut lists: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(sweep.rows.len())).collect();
         for row in &sweep.rows {
             let point = row.point.as_ref().ok().map(|point| Point::of(system, Motion::forward(row.slip), point));

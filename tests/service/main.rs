@@ -40,6 +40,7 @@ mod solved_slip;
 mod stopping;
 mod strength;
 mod stress_profile;
+mod sweep;
 mod towed;
 mod track;
 mod track_cells;

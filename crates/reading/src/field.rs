@@ -3,6 +3,7 @@
 use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
 use utoipa::openapi::{RefOr, Required, Schema};
 
+use crate::content::Content;
 use crate::fault::Scope;
 use crate::node::Node;
 
@@ -62,6 +63,9 @@ pub trait Kind: Sync {
     fn names_within(&self) -> Vec<&'static str> {
         Vec::new()
     }
+
+    /// What it holds, for those who look for the fields within.
+    fn content(&self) -> Content;
 }
 
 /// A query parameter, whose meaning is said once, where readers of the document look for it.
@@ -108,6 +112,9 @@ pub trait Declared: Sync {
 
     /// The names of the fields of an object; none of anything else.
     fn names_within(&self) -> Vec<&'static str>;
+
+    /// What it holds, for those who look for the fields within.
+    fn content(&self) -> Content;
 }
 
 impl<K: Kind> Declared for Field<K> {
@@ -133,6 +140,10 @@ impl<K: Kind> Declared for Field<K> {
 
     fn names_within(&self) -> Vec<&'static str> {
         self.kind.names_within()
+    }
+
+    fn content(&self) -> Content {
+        self.kind.content()
     }
 }
 

@@ -32,34 +32,40 @@
 //! Nothing that is sent can make it panic, and all it keeps is bounded: the depth of the tree, its fields, the faults.
 
 mod assumption;
+mod content;
 mod fault;
 mod field;
 mod hints;
 mod json;
 mod list;
 mod literal;
+mod nested;
 mod node;
 mod number;
 mod object;
 mod one_of;
 mod query;
 mod reader;
+mod slot;
 mod syntax;
 mod tagged;
 mod word;
 
 pub use assumption::Assumption;
+pub use content::{Astray, Content, Path};
 pub use fault::{Faults, FieldFault, Figures, Scope, unknown_word};
 pub use field::{Components, Declared, Field, Group, Kind, component_name, group};
 pub use hints::{Hints, OtherUnit, shortened};
 pub use json::{MOST_NODES, Unread, json};
 pub use list::{Bounds, Items, Numbers, Objects, Words};
+pub use nested::Nested;
 pub use node::{Fields, Item, List, Node};
 pub use number::{Number, in_millimetres};
 pub use object::{Object, Unknown, collected, read, read_assuming};
 pub use one_of::{Alternative, Either, OneOf};
 pub use query::{Query, TooManyParameters};
 pub use reader::{Defaulting, Reader};
+pub use slot::{Blocked, Slot};
 pub use syntax::fault_in_words;
 pub use tagged::{Chosen, Tagged, Variant};
 pub use word::{Flag, Label, Lookup, Word};

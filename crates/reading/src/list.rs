@@ -4,6 +4,7 @@ use utoipa::openapi::path::{Parameter, ParameterStyle};
 use utoipa::openapi::schema::ArrayBuilder;
 use utoipa::openapi::{RefOr, Schema};
 
+use crate::content::Content;
 use crate::fault::{Figures, Scope};
 use crate::field::{Components, Kind, parameter, wrong_type};
 use crate::node::{Item, List, Node};
@@ -109,6 +110,10 @@ impl Kind for Numbers {
 
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
+
+    fn content(&self) -> Content {
+        Content::Other("an array of numbers")
+    }
 }
 
 /// A lower and an upper bound.
@@ -138,6 +143,10 @@ impl Kind for Bounds {
 
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
+
+    fn content(&self) -> Content {
+        Content::Other("an array of two bounds")
+    }
 }
 
 /// Different words out of a list, at least one.
@@ -213,6 +222,10 @@ impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
         list.explode = Some(false);
         found.push(list);
     }
+
+    fn content(&self) -> Content {
+        Content::Other("an array of words")
+    }
 }
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Words<T> {
@@ -280,4 +293,8 @@ impl Kind for Objects {
 
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
+
+    fn content(&self) -> Content {
+        Content::Objects(self.object)
+    }
 }

@@ -8,6 +8,7 @@ use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, SchemaType, Type};
 use utoipa::openapi::{RefOr, Schema};
 
+use crate::content::Content;
 use crate::fault::{Figures, Scope};
 use crate::field::{Kind, parameter, wrong_type};
 use crate::node::Node;
@@ -228,6 +229,10 @@ impl Kind for Number {
 
     fn parameters(&self, name: &str, meaning: &str, _: bool, found: &mut Vec<Parameter>) {
         found.push(parameter(name, &self.told(meaning), self.schema(meaning)));
+    }
+
+    fn content(&self) -> Content {
+        Content::Number(*self)
     }
 }
 

@@ -5,6 +5,7 @@ use utoipa::openapi::schema::{AdditionalProperties, ObjectBuilder, Ref};
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::assumption::Assumption;
+use crate::content::Content;
 use crate::fault::{Faults, FieldFault, Scope};
 use crate::field::{Components, Declared, Field, Group, Kind, wrong_type};
 use crate::hints::{Hints, shortened};
@@ -198,6 +199,10 @@ impl Kind for &'static Object {
 
     fn names_within(&self) -> Vec<&'static str> {
         self.names()
+    }
+
+    fn content(&self) -> Content {
+        Content::Object(self)
     }
 }
 

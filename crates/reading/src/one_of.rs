@@ -4,6 +4,7 @@ use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{ObjectBuilder, OneOfBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 
+use crate::content::Content;
 use crate::fault::Scope;
 use crate::field::{Components, Kind, parameter, wrong_type};
 use crate::list::Numbers;
@@ -37,6 +38,19 @@ pub enum Alternative {
     Object(&'static Object, &'static str),
     /// An object whose fields may all be absent, and what it means; `true` asks for it without any.
     Asked(&'static Object, &'static str),
+}
+
+impl Alternative {
+    pub(crate) fn number(&self) -> Option<Number> {
+        if let Self::Number(number) = self { Some(*number) } else { None }
+    }
+
+    pub(crate) fn object(&self) -> Option<&'static Object> {
+        match self {
+            Self::Object(object, _) | Self::Asked(object, _) => Some(object),
+            Self::Number(_) | Self::Word(..) | Self::Numbers(_) => None,
+        }
+    }
 }
 
 /// What a field of several types holds.
@@ -143,5 +157,9 @@ impl Kind for OneOf {
 
     fn names_within(&self) -> Vec<&'static str> {
         self.objects().flat_map(|(object, _)| object.names()).collect()
+    }
+
+    fn content(&self) -> Content {
+        Content::OneOf(*self)
     }
 }

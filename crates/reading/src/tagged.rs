@@ -6,6 +6,7 @@ use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{AdditionalProperties, Discriminator, ObjectBuilder, OneOfBuilder};
 use utoipa::openapi::{RefOr, Schema};
 
+use crate::content::Content;
 use crate::fault::Scope;
 use crate::fault::unknown_word;
 use crate::field::{Components, Field, Group, Kind, component_name, parameter, wrong_type};
@@ -73,8 +74,17 @@ impl Tagged {
         (self.variants)().iter().map(|variant| variant.name).collect()
     }
 
+    /// What is declared under a name in any of the forms.
+    pub(crate) fn content_of(&self, name: &str) -> Option<Content> {
+        if name == self.tag {
+            return Some(Content::Other("a word"));
+        }
+        let parameter = self.shared().into_iter().find(|shared| shared.name == name).map(|shared| Content::Number(shared.number));
+        parameter.or_else(|| self.also.iter().find(|field| field.name() == name).map(|field| field.content()))
+    }
+
     /// The tag and the parameters of all forms, each once.
-    fn all_names(&self) -> Vec<&'static str> {
+    pub(crate) fn all_names(&self) -> Vec<&'static str> {
         let also = self.also.iter().map(|field| field.name());
         std::iter::once(self.tag).chain(self.shared().into_iter().map(|shared| shared.name)).chain(also).collect()
     }
@@ -247,6 +257,10 @@ impl Kind for Tag<'_> {
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
         words(self.0.names()).description(Some(meaning)).into()
     }
+
+    fn content(&self) -> Content {
+        Content::Other("a word")
+    }
 }
 
 impl Kind for &'static Tagged {
@@ -277,6 +291,10 @@ impl Kind for &'static Tagged {
 
     fn names_within(&self) -> Vec<&'static str> {
         self.all_names()
+    }
+
+    fn content(&self) -> Content {
+        Content::Tagged(self)
     }
 }
 

@@ -3,6 +3,7 @@
 use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Ref, RefOr, Schema};
 
+use crate::content::Content;
 use crate::fault::Scope;
 use crate::fault::unknown_word;
 use crate::field::{Components, Kind, wrong_type};
@@ -64,6 +65,10 @@ impl<T: Copy + PartialEq + Sync> Kind for Word<T> {
         let default = self.default.and_then(|default| self.words.iter().find(|(_, value)| *value == default));
         words(self.names()).description(Some(meaning)).default(default.map(|(word, _)| (*word).into())).into()
     }
+
+    fn content(&self) -> Content {
+        Content::Other("a word")
+    }
 }
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Word<T> {
@@ -107,6 +112,10 @@ impl<T> Kind for Lookup<T> {
             found.push((name.to_owned(), words((self.words)()).into()));
         }
     }
+
+    fn content(&self) -> Content {
+        Content::Other("a word")
+    }
 }
 
 /// A name that a client gives: a text that stands on one line.
@@ -140,6 +149,10 @@ impl Kind for Label {
             .pattern(Some(r"^[^\u0000-\u001f\u007f-\u009f]+$"))
             .into()
     }
+
+    fn content(&self) -> Content {
+        Content::Other("a word")
+    }
 }
 
 /// True or false.
@@ -160,6 +173,10 @@ impl Kind for Flag {
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
         ObjectBuilder::new().schema_type(Type::Boolean).description(Some(meaning)).into()
+    }
+
+    fn content(&self) -> Content {
+        Content::Other("true or false")
     }
 }
 

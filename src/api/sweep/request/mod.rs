@@ -1,0 +1,87 @@
+//! The request of `/v1/sweep`.
+
+pub(super) mod axes;
+
+use terramechanics_reading::{Field, Nested, Object, Path, Reader, Word};
+
+use super::grid::Grid;
+use crate::api::forces::ForcesCase;
+use crate::request::{Documented, Request};
+use crate::varied::{Template, Varied};
+
+/// What is computed at each point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Of {
+    Forces,
+}
+
+const OF: Field<Word<Of>> =
+    Field::required("of", "What is computed at each point: the forces, as by /v1/forces.", Word::new(&[("forces", Of::Forces)]));
+const REQUEST: Field<Nested> = Field::required(
+    "request",
+    "The request that is asked at each point, as that operation takes it; a varied field may be left out.",
+    Nested { requests: &[ForcesCase::OBJECT] },
+);
+
+/// A sweep, checked.
+pub(crate) enum GridCase {
+    Forces(Sweep<ForcesCase>),
+}
+
+/// A request over a grid.
+pub(crate) struct Sweep<R> {
+    pub(crate) template: Template<R>,
+    pub(crate) grid: Grid,
+    /// A case of the grid, for what all have in common; none where no case was found.
+    pub(crate) sample: R,
+}
+
+pub(super) type GridRequest = Documented<GridCase>;
+
+impl Request for GridCase {
+    const OBJECT: &'static Object = &Object {
+        name: "SweepRequest",
+        doc: "A request for forces, asked at every point of a grid of one to three of its numeric fields.",
+        groups: &[&[&OF, &REQUEST, &axes::AXES]],
+    };
+
+    fn read(object: &Reader<'_>) -> Option<Self> {
+        match object.required(&OF) {
+            Some(Of::Forces) => sweep(object).map(Self::Forces),
+            None => {
+                let _ = object.required(&REQUEST);
+                None
+            }
+        }
+    }
+}
+
+/// The sweep of one kind of request.
+fn sweep<R: Varied>(object: &Reader<'_>) -> Option<Sweep<R>> {
+    let request = object.required(&REQUEST);
+    let axes = axes::read(object, R::OBJECT);
+    let (request, axes) = (request?, axes?);
+    let paths: Vec<Path> = axes.iter().map(|axis| axis.path.clone()).collect();
+    let grid = Grid::of(axes);
+    let found = Template::new(request, &paths).and_then(|mut template| {
+        let sample = template.first_case(grid.samples().iter().map(Vec::as_slice))?;
+        Ok((template, sample))
+    });
+    match found {
+        Ok((template, sample)) => {
+            if sample.is_none() {
+                object.place_of(&REQUEST).fault("makes no valid request at any corner of the grid");
+            }
+            Some(Sweep { template, grid, sample: sample? })
+        }
+        Err(faults) => {
+            for fault in faults {
+                match fault.field {
+                    Some(axis) => axes::fault_of_field(object, axis, &fault.fault.detail),
+                    None => object.place_of(&REQUEST).pass_on(fault.fault),
+                }
+            }
+            None
+        }
+    }
+}
