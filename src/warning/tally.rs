@@ -51,11 +51,6 @@ impl Tally {
         }
     }
 
-    /// Rows so far.
-    pub(crate) fn rows(&self) -> u64 {
-        self.rows
-    }
-
     /// The warnings: findings first, each with its rows unless it holds for all of several cautions.
     pub(crate) fn into_warnings(self) -> Vec<Warning> {
         let all = self.rows;

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{letter, post, post_for_csv, with};
+use crate::asking::{letter, post, post_for_csv, request, send, with};
 
 /// A sweep of the letter's wheel.
 fn sweep(changes: Value, axes: Value) -> Value {
@@ -143,7 +143,7 @@ fn a_table_has_the_same_rows() {
 fn a_field_that_cannot_vary_is_told_why() {
     let of = |field: &str| fault(&with_axes(json!([{"field": field, "values": [0.1, 0.2]}])), "/axes/0/field");
     assert_eq!(of("/wheel/raduis_m"), "the request has no field `/wheel/raduis_m`; did you mean `radius_m`?");
-    assert!(of("/k_c").contains("`k_c` belongs in"), "{}", of("/k_c"));
+    assert!(of("/soil/k_c").ends_with("`k_c` belongs in `pressure_sinkage`"), "{}", of("/soil/k_c"));
     assert_eq!(of("/method"), "must name a number, not a word");
     assert!(of("/wheel").starts_with("must name a number, not an object; its fields are preset, radius_m"));
     assert_eq!(of("/slip/x"), "`/slip` is a number, which has no fields");
@@ -204,4 +204,49 @@ fn every_fault_of_an_axis_is_pointed_at() {
     assert_eq!(post("/v1/sweep", &with_axes(many)).pointers(), ["/axes"]);
     let large = json!([axis("/sinkage_m"), axis("/slip"), axis("/soil/cohesion_pa")]);
     assert_eq!(fault(&with_axes(large), "/axes"), "make 1000000000 points; at most 1000000 are computed");
+}
+
+/// A sweep in a form that is written row by row.
+fn lines(body: &Value, accept: &str) -> Vec<String> {
+    let headers = [("content-type", "application/json"), ("accept", accept)];
+    let answer = send(request("POST", "/v1/sweep", &headers, body.to_string()));
+    assert_eq!(answer.status, 200, "{}", answer.text);
+    assert!(answer.header("content-type").starts_with(accept));
+    answer.text.lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn a_stream_has_the_rows_of_the_columns_and_an_end() {
+    let body =
+        with_axes(json!([{"field": "/slip", "from": 0, "to": 1, "points": 40}, {"field": "/sinkage_m", "values": [0.01, 0.5]}]));
+    let reply = post("/v1/sweep", &body).ok();
+    let lines = lines(&body, "application/x-ndjson");
+    assert_eq!(lines.len(), 81);
+    for (row, line) in lines[..80].iter().enumerate() {
+        let line: Value = serde_json::from_str(line).expect("JSON");
+        for (name, column) in reply["columns"].as_object().expect("columns") {
+            assert_eq!(line[name], column[row], "{name} of {row}");
+        }
+    }
+    let end: Value = serde_json::from_str(&lines[80]).expect("JSON");
+    assert_eq!((&end["end"], &end["rows"], &end["warnings"]), (&json!(true), &json!(80), &reply["warnings"]));
+}
+
+#[test]
+fn a_large_grid_is_streamed_and_refused_in_columns() {
+    let axes = json!([{"field": "/slip", "from": 0, "to": 1, "points": 101}, {"field": "/sinkage_m", "from": 0.001, "to": 0.1, "points": 1000}]);
+    let body = sweep(json!({"method": "explicit"}), axes);
+    assert!(fault(&body, "/axes").starts_with("make 101000 points; an answer in JSON has at most 100000 rows"));
+    let lines = lines(&body, "text/csv");
+    let rows = lines.iter().filter(|line| !line.starts_with('#')).count();
+    assert_eq!((rows, lines.last().map(String::as_str)), (101_001, Some("#end,101000")));
+}
+
+#[test]
+fn a_sweep_beyond_its_price_is_refused_before_the_work() {
+    let axes = json!([{"field": "/slip", "from": 0, "to": 1, "points": 100_000}]);
+    let heavy = json!({"slip_angle_rad": 0.2, "sinkage_m": null, "normal_load_n": 80});
+    let problem = post("/v1/sweep", &sweep(heavy, axes)).problem(422);
+    assert_eq!(problem["type"], "urn:terramechanics:problem:too-costly");
+    assert!(problem["detail"].as_str().expect("a detail").contains("60 s is the most"), "{problem}");
 }

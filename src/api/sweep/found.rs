@@ -27,6 +27,7 @@ pub(super) struct Running<R> {
 /// The findings of a sweep that has ended.
 #[derive(Debug)]
 pub(super) struct FoundGrid {
+    pub(super) rows: usize,
     pub(super) warnings: Vec<Warning>,
     /// What was assumed of the request; no list where nothing may be.
     pub(super) assumed: Option<Vec<Assumption>>,
@@ -82,6 +83,6 @@ impl<R: Varied> Running<R> {
         let assumed = self.template.assumed().map(<[Assumption]>::to_vec);
         let mut warnings = std::mem::take(&mut self.tally).into_warnings();
         warnings.extend(of_assumptions(assumed.as_deref().unwrap_or_default()));
-        FoundGrid { warnings, assumed }
+        FoundGrid { rows: self.next, warnings, assumed }
     }
 }

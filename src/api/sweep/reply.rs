@@ -49,13 +49,13 @@ impl GridReply {
         let mut status = Vec::with_capacity(running.len());
         let mut cells = Vec::with_capacity(names.len());
         loop {
-            pace.glance()?;
+            pace.look()?;
             cells.clear();
             let Some(of_row) = running.next_row(&mut cells) else { break };
             lists.iter_mut().zip(&cells).for_each(|(list, cell)| list.push(*cell));
             status.push(of_row.name());
         }
-        let FoundGrid { warnings, assumed } = running.end();
+        let FoundGrid { warnings, assumed, .. } = running.end();
         let assumed = assumed.map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
         let columns = lists.into_iter().map(Values::Numbers).collect();
         Ok(Self { columns: GridColumns { names, columns, status }, warnings, assumed })

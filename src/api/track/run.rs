@@ -10,12 +10,13 @@ use super::found::FoundTrack;
 use super::plan::TrackPlan;
 use super::reply::TrackReply;
 use super::request::{TrackCase, TrackSettings};
-use super::samples::{MOST_IN_COLUMNS, Samples};
-use super::table::{RowFormat, Table};
+use super::samples::Samples;
+use super::table::Table;
 use crate::compute::SLICE;
 use crate::extract::SeriesForm;
 use crate::problem::Problem;
 use crate::quantity::{Beside, Row as Cells, SampleLists};
+use crate::reply::{MOST_IN_COLUMNS, RowFormat};
 use crate::series::{Read, Reader, Row, Unreadable};
 use crate::stream::{PIECE, Progress, Work};
 use terramechanics_reading::{Assumption, FieldFault};
@@ -194,7 +195,7 @@ impl Work for Run {
 
     fn broken(&self, problem: &Problem, output: &mut Vec<u8>) {
         if let Some(Started { sink: Sink::Rows(table), .. }) = &self.started {
-            table.broken(&problem.detail(), output);
+            table.format().broken(&problem.detail(), output);
         }
     }
 }

@@ -1,23 +1,12 @@
 //! Results of a run, row by row, with an end that tells a whole answer from one that was cut.
 
-use std::io::Write;
-
 use serde::Serialize;
 
 use super::found::FoundTrack;
 use super::reply::EventReply;
 use crate::quantity::{Beside, Cell, Digits, Row, SampleCells, line};
-use crate::reply::AssumedReply;
+use crate::reply::{AssumedReply, RowFormat, comment, object};
 use crate::warning::Warning;
-
-/// A format that is written row by row.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum RowFormat {
-    /// A header, a row per sample, and comments after `#` at the end; the last comment is `#end,<rows>`.
-    Csv,
-    /// An object per sample; at the end an object with `end`.
-    Ndjson,
-}
 
 /// Writes the rows of a run.
 #[derive(Debug, Clone)]
@@ -27,6 +16,11 @@ pub(crate) struct Table {
 }
 
 impl Table {
+    /// The format.
+    pub(crate) fn format(&self) -> RowFormat {
+        self.format
+    }
+
     pub(crate) fn new(format: RowFormat, beside: Beside) -> Self {
         Self { format, cells: SampleCells::with(beside) }
     }
@@ -63,16 +57,8 @@ impl Table {
             }
             RowFormat::Ndjson => {
                 let assumed = assumed.clone().map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
-                json(&Last { end: true, rows: *rows, warnings, events: &events, assumed }, out);
+                object(&Last { end: true, rows: *rows, warnings, events: &events, assumed }, out);
             }
-        }
-    }
-
-    /// The line after the last row where the run ended too early.
-    pub(crate) fn broken(&self, problem: &str, out: &mut Vec<u8>) {
-        match self.format {
-            RowFormat::Csv => comment(&["error", problem], out),
-            RowFormat::Ndjson => json(&serde_json::json!({ "error": problem }), out),
         }
     }
 }
@@ -86,14 +72,4 @@ struct Last<'a> {
     events: &'a [EventReply],
     #[serde(skip_serializing_if = "Option::is_none")]
     assumed: Option<Vec<AssumedReply>>,
-}
-
-/// A comment of several cells; the last may be any text without a line end.
-fn comment(cells: &[&str], out: &mut Vec<u8>) {
-    let _ = writeln!(out, "#{}", cells.join(",").replace(['\n', '\r'], " "));
-}
-
-fn json<T: Serialize>(value: &T, out: &mut Vec<u8>) {
-    let _ = serde_json::to_writer(&mut *out, value);
-    out.push(b'\n');
 }

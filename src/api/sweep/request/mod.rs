@@ -2,10 +2,12 @@
 
 pub(super) mod axes;
 
-use terramechanics_reading::{Field, Nested, Object, Path, Reader, Word};
+use terramechanics_reading::{Field, FieldFault, Nested, Object, Path, Reader, Word};
 
 use super::grid::Grid;
 use crate::api::forces::ForcesCase;
+use crate::problem::Problem;
+use crate::reply::MOST_IN_COLUMNS;
 use crate::request::{Documented, Request};
 use crate::varied::{Template, Varied};
 
@@ -53,6 +55,29 @@ impl Request for GridCase {
                 None
             }
         }
+    }
+}
+
+impl GridCase {
+    fn len(&self) -> usize {
+        match self {
+            Self::Forces(sweep) => sweep.grid.len(),
+        }
+    }
+
+    /// Whether an answer in columns may have so many rows.
+    ///
+    /// # Errors
+    /// [`Problem::Invalid`] where it may not.
+    pub(super) fn fits_in_columns(&self) -> Result<(), Problem> {
+        if self.len() <= MOST_IN_COLUMNS {
+            return Ok(());
+        }
+        let detail = format!(
+            "make {} points; an answer in JSON has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson",
+            self.len()
+        );
+        Err(Problem::Invalid(vec![FieldFault::new(format!("/{}", axes::AXES.name), detail)]))
     }
 }
 
