@@ -22,6 +22,7 @@ use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::sweep::{self, GridCase};
 use crate::api::towed::{self, TowedCase};
+use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
 use crate::api::{catalogue, health, limits, model, track, validation};
 use crate::contract::{self, Contract};
@@ -37,6 +38,7 @@ fn operations() -> Operations {
         .room::<ProfileCase>(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .room::<GridCase>(routes!(sweep::sweep))
+        .room::<UncertaintyCase>(routes!(uncertainty::uncertainty))
         .room::<CompareCase>(routes!(compare::compare))
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))

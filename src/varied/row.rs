@@ -24,7 +24,7 @@ impl RowStatus {
     pub(crate) const ALL: [Self; 4] = [Self::Ok, Self::Invalid, Self::NoSolution, Self::NotClimbed];
 
     /// Its name on the wire.
-    pub(crate) fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Ok => "ok",
             Self::Invalid => "invalid",

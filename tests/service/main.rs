@@ -45,6 +45,7 @@ mod towed;
 mod track;
 mod track_cells;
 mod track_stream;
+mod uncertainty;
 mod validation;
 mod validation_inputs;
 mod validation_laws;

@@ -142,6 +142,14 @@ impl Distribution {
         }
     }
 
+    /// The quantiles by which it is given, if it is.
+    pub fn values(&self) -> Option<&[f64]> {
+        match self {
+            Self::Quantiles { values } => Some(values),
+            Self::Normal { .. } | Self::LogNormal { .. } | Self::Uniform { .. } | Self::Triangular { .. } => None,
+        }
+    }
+
     /// The ends beyond which it has nothing, if it has any.
     pub fn ends(&self) -> Option<[f64; 2]> {
         match self {

@@ -42,6 +42,28 @@ impl Joint {
         self.columns.len()
     }
 
+    /// A column; none beyond the last.
+    pub fn column(&self, column: usize) -> Option<&[f64]> {
+        self.columns.get(column).map(Vec::as_slice)
+    }
+
+    /// The mean of a column.
+    pub fn mean(&self, column: usize) -> f64 {
+        self.over_rows(column, |value| value)
+    }
+
+    /// The standard deviation of a column.
+    pub fn deviation(&self, column: usize) -> f64 {
+        let mean = self.mean(column);
+        self.over_rows(column, |value| (value - mean) * (value - mean)).sqrt()
+    }
+
+    fn over_rows(&self, column: usize, of: impl Fn(f64) -> f64) -> f64 {
+        // Each share by itself, because the sum of large numbers may overflow.
+        let share = 1.0 / self.rows as f64;
+        self.column(column).unwrap_or_default().iter().map(|value| of(*value) * share).sum()
+    }
+
     /// The row for p in (0, 1).
     pub(crate) fn row(&self, p: f64) -> impl Iterator<Item = f64> + '_ {
         let row = ((p * self.rows as f64) as usize).min(self.rows - 1);

@@ -3,7 +3,7 @@
 mod found;
 mod grid;
 mod reply;
-mod request;
+pub(super) mod request;
 mod stream_of_rows;
 
 use axum::body::Body;
