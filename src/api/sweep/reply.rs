@@ -10,7 +10,7 @@ use utoipa::{PartialSchema, ToSchema};
 
 use super::found::{FoundGrid, Running};
 use crate::compute::{Pace, Stop};
-use crate::quantity::{Field, Values, object_of, point_columns};
+use crate::quantity::{Field, Values, every_point_column, object_of};
 use crate::reply::{AssumedReply, Reply};
 use crate::varied::{RowStatus, Varied};
 use crate::warning::Warning;
@@ -86,7 +86,7 @@ impl PartialSchema for GridColumns {
                            (`wheel.radius_m`); those of the operation, null where a row has no answer; and `status`. A column that an \
                            axis has already stands there once.";
         let fields: Vec<Field> =
-            point_columns(true).map(|(about, _)| Field { present: Some("for the forces"), ..Field::or_null(about) }).collect();
+            every_point_column().map(|(about, _)| Field { present: Some("for the forces"), ..Field::or_null(about) }).collect();
         let statuses = RowStatus::ALL.map(RowStatus::name);
         let status = ObjectBuilder::new().schema_type(Type::String).enum_values(Some(statuses));
         let status = ArrayBuilder::new().items(status).description(Some(
