@@ -20,11 +20,10 @@ use crate::api::operations::Operations;
 use crate::api::resistances::{self, ResistancesCase};
 use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
-use crate::api::sweep::{self, GridCase};
 use crate::api::towed::{self, TowedCase};
 use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
-use crate::api::{catalogue, health, limits, model, track, validation};
+use crate::api::{catalogue, health, limits, model, sweep, track, validation};
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
 use crate::state::Service;
@@ -37,7 +36,7 @@ fn operations() -> Operations {
         .room::<ForcesCase>(routes!(forces::forces, forces::forces_of_query))
         .room::<ProfileCase>(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
-        .room::<GridCase>(routes!(sweep::sweep))
+        .shown(routes!(sweep::sweep), sweep::example)
         .room::<UncertaintyCase>(routes!(uncertainty::uncertainty))
         .room::<CompareCase>(routes!(compare::compare))
         .room::<CoupledCase>(routes!(coupled::coupled))

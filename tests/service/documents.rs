@@ -145,6 +145,7 @@ fn the_document_has_the_routes_of_the_api() {
         "post /v1/resistances",
         "post /v1/slip-sweep",
         "post /v1/stress-profile",
+        "post /v1/sweep",
         "post /v1/towed",
         "post /v1/track",
         "post /v1/vehicle",

@@ -56,17 +56,19 @@ impl Room for UncertaintyCase {
     fn cost(&self) -> Cost {
         match self {
             Self::Forces(uncertainty) => uncertainty.cost(),
+            Self::Vehicle(uncertainty) => uncertainty.cost(),
         }
     }
 
     fn reply(&self, pace: &Pace) -> Result<UncertaintyReply, Problem> {
         match self {
             Self::Forces(uncertainty) => uncertainty.reply(pace),
+            Self::Vehicle(uncertainty) => uncertainty.reply(pace),
         }
     }
 }
 
-/// Bands and sensitivities of forces whose inputs are uncertain
+/// Bands and sensitivities of forces, or of a rover, whose inputs are uncertain
 ///
 /// A request of which some fields have distributions, at a point or over one axis. For every quantity the answer has mean, standard
 /// deviation and the quantiles at 5, 25, 50, 75 and 95 %; for each condition its probability; and the shares of the variance that

@@ -129,7 +129,7 @@ pub(crate) struct OfSlopes;
 
 type SlopeColumns = Columns<OfSlopes>;
 
-static COLUMNS: [About; 12] = [
+pub(super) static COLUMNS: [About; 12] = [
     About::new("slope_rad", "α", "rad", "slope, positive uphill"),
     About::new(
         "slip",
@@ -164,7 +164,7 @@ impl Shape for OfSlopes {
 }
 
 /// The values of a slope in the order of the columns; NaN where there is none.
-fn row(found: &FoundSlope, velocity: Option<f64>) -> [f64; COLUMNS.len()] {
+pub(super) fn row(found: &FoundSlope, velocity: Option<f64>) -> [f64; COLUMNS.len()] {
     let of = |value: &dyn Fn(&Driven) -> f64| found.on.as_ref().map_or(f64::NAN, |on| value(&on.driven));
     let velocity = velocity.unwrap_or(f64::NAN);
     let over_wheels = |driven: &Driven, value: fn(&VehicleWheel) -> f64, choose: fn(f64, f64) -> f64| {

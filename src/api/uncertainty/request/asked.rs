@@ -101,23 +101,6 @@ impl Spreading {
         spread.law = spread.law.filter(|_| !has(LAW));
         Some(spread)
     }
-
-    /// Writes the law of the soil of the catalogue into the request, where its parameters can be replaced one by one.
-    pub(super) fn write_law(&mut self) {
-        let Some((record, law)) = self.soil.and_then(|record| Some((record, record.pressure_sinkage()?.law()))) else { return };
-        let mut fields = terramechanics_reading::Fields::default();
-        fields.add("law", Node::Text(law.name.into()));
-        for parameter in law.parameters {
-            if let Some(value) = record.number(parameter.name) {
-                fields.add(parameter.name, Node::Number(value));
-            }
-        }
-        if let Node::Object(request) = &mut self.tree
-            && let Some(Node::Object(soil)) = request.named_mut(SOIL)
-        {
-            soil.add(LAW, Node::Object(fields));
-        }
-    }
 }
 
 /// The path of a field of the soil.

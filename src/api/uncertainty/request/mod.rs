@@ -11,6 +11,7 @@ use terramechanics_uncertainty::{Design, LEAST_SAMPLES, MOST_SEED};
 
 use crate::api::forces::ForcesCase;
 use crate::api::sweep::request::axes::{self, Axis};
+use crate::api::vehicle::VehicleCase;
 use crate::catalogue::Held;
 use crate::request::{Documented, Request};
 use crate::varied::{Template, Varied};
@@ -33,14 +34,18 @@ const MOST_ON_AXIS: usize = 201;
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Of {
     Forces,
+    Vehicle,
 }
 
-const OF: Field<Word<Of>> =
-    Field::required("of", "What is computed of each sample: the forces, as by /v1/forces.", Word::new(&[("forces", Of::Forces)]));
+const OF: Field<Word<Of>> = Field::required(
+    "of",
+    "What is computed of each sample: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.",
+    Word::new(&[("forces", Of::Forces), ("vehicle", Of::Vehicle)]),
+);
 const REQUEST: Field<Asked> = Field::required(
     "request",
     "The request that is asked with each sample, as that operation takes it; an uncertain field may be left out. Its `soil` may have \"spread\": \"catalogue\" beside its preset: then cohesion, friction angle, shear modulus and pressure–sinkage law spread over what is published of soils of that kind, save those that the soil or `inputs` have.",
-    Asked { requests: &[ForcesCase::OBJECT] },
+    Asked { requests: &[ForcesCase::OBJECT, VehicleCase::OBJECT] },
 );
 const AXIS: Field<&Object> =
     Field::new("axis", "A field that varies, of at most 201 values: there are bands at each, of the same samples.", &axes::AXIS);
@@ -65,6 +70,7 @@ const SENSITIVITY_OF: Field<Label> =
 /// Uncertainty, checked.
 pub(crate) enum UncertaintyCase {
     Forces(Box<Uncertainty<ForcesCase>>),
+    Vehicle(Box<Uncertainty<VehicleCase>>),
 }
 
 /// A request with uncertain fields.
@@ -96,7 +102,7 @@ pub(super) type UncertaintyRequest = Documented<UncertaintyCase>;
 impl Request for UncertaintyCase {
     const OBJECT: &'static Object = &Object {
         name: "UncertaintyRequest",
-        doc: "A request for forces of which some fields are uncertain, at a point or over one axis.",
+        doc: "A request for forces or of a rover of which some fields are uncertain, at a point or over one axis.",
         groups: &[&[
             &OF,
             &REQUEST,
@@ -114,6 +120,7 @@ impl Request for UncertaintyCase {
     fn read(object: &Reader<'_>) -> Option<Self> {
         match object.required(&OF) {
             Some(Of::Forces) => uncertainty(object).map(|read| Self::Forces(Box::new(read))),
+            Some(Of::Vehicle) => uncertainty(object).map(|read| Self::Vehicle(Box::new(read))),
             None => {
                 let _ = object.required(&REQUEST);
                 None
@@ -129,7 +136,7 @@ fn uncertainty<R: Varied>(object: &Reader<'_>) -> Option<Uncertainty<R>> {
     let axis = axis(object, R::OBJECT);
     let (samples, seed) = (object.or_default(&SAMPLES), object.or_default(&SEED));
     let (sensitivity, sensitivity_of) = (object.optional(&SENSITIVITY), object.optional(&SENSITIVITY_OF));
-    let (Some(mut request), Some(mut uncertain), Some(axis)) = (request, uncertain, axis) else {
+    let (Some(request), Some(mut uncertain), Some(axis)) = (request, uncertain, axis) else {
         let _ = conditions::read(object, None);
         return None;
     };
@@ -137,9 +144,6 @@ fn uncertainty<R: Varied>(object: &Reader<'_>) -> Option<Uncertainty<R>> {
     taken.extend(axis.iter().map(|axis| axis.path.clone()));
     let mut held = Vec::new();
     if let Some(spread) = request.spread(&taken) {
-        if spread.law.is_some() {
-            request.write_law();
-        }
         held.clone_from(&spread.held);
         uncertain.add_spread(spread)?;
     }
@@ -225,12 +229,18 @@ fn template<R: Varied>(
             Some(row)
         })
         .collect();
-    let found = Template::new(tree, &paths).and_then(|mut template| {
+    let found = Template::<R>::new(tree, &paths).and_then(|mut template| {
         let sample = template.first_case(tried.iter().map(Vec::as_slice))?;
         Ok((template, sample))
     });
     let faults = match found {
-        Ok((template, Some(sample))) => return Some((template, sample)),
+        Ok((template, Some(sample))) => match sample.refusal() {
+            None => return Some((template, sample)),
+            Some(fault) => {
+                object.place_of(&REQUEST).pass_on(fault);
+                return None;
+            }
+        },
         Ok((_, None)) => {
             object.place_of(&REQUEST).fault(format_args!("makes no valid request with any of the first {TRIED} samples"));
             return None;
