@@ -33,10 +33,10 @@ const SLIP_SEARCH: f64 = 30.0;
 const RUT: f64 = 2.0;
 
 /// Load balances that a wheel takes whose slip follows from the torque of the others.
-const SHARED_TORQUE: f64 = 12.0;
+const SHARED_TORQUE: f64 = 16.0;
 
-/// And from a torque of its own, for which all slips are searched.
-const OWN_TORQUE: f64 = 40.0;
+/// And from a torque of its own, for which all slips are searched: in ruts for each slip of the others, else once on a slope.
+const OWN_TORQUE: [f64; 2] = [90.0, 10.0];
 
 /// What one operating point costs, in nanoseconds.
 #[derive(Debug, Clone, Copy)]
@@ -185,7 +185,7 @@ impl Cost {
         let in_rut = if params.unloading.is_some() { RUT } else { 1.0 };
         let slips = 15.0 * slopes as f64 + 150.0;
         let balances = params.stations.iter().map(|station| match (station.turning, params.drive) {
-            (Turning::UnderTorque(_), _) => OWN_TORQUE,
+            (Turning::UnderTorque(_), _) => OWN_TORQUE[usize::from(params.unloading.is_none())],
             (Turning::Together, Drive::EqualTorque) => SHARED_TORQUE,
             (Turning::Together, Drive::OneSlip) | (Turning::AtSlip(_), _) => 1.0,
         });

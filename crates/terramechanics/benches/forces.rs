@@ -233,3 +233,10 @@ fn vehicle_largest_slope(bencher: Bencher<'_, '_>, kind: &str) {
     let rover = rover(kind);
     bencher.bench_local(|| black_box(&rover).largest_slope(black_box(0.0), 0.6));
 }
+
+/// A slope that no slip climbs takes the whole search.
+#[divan::bench(args = ROVERS)]
+fn vehicle_not_climbed(bencher: Bencher<'_, '_>, kind: &str) {
+    let rover = rover(kind);
+    bencher.bench_local(|| black_box(&rover).on_slope(black_box(0.8), 0.0));
+}

@@ -1,6 +1,6 @@
 //! What do the wheels of a rover give together?
 
-use super::{Drive, Vehicle, VehicleError, rut};
+use super::{Drive, Told, Vehicle, VehicleError, rut};
 use crate::caution::Caution;
 use crate::error::Error;
 use crate::forces::Forces;
@@ -71,8 +71,13 @@ impl Vehicle {
     /// # Errors
     /// [`VehicleError::Wheel`] with the first station whose wheel the model refuses; [`VehicleError::TorqueNotHeld`].
     pub fn at(&self, slip: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
+        self.beside(&self.told(loads)?, slip, loads)
+    }
+
+    /// The same with those wheels that are told how to turn, as far as they are known.
+    pub(super) fn beside(&self, told: &Told, slip: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
         if self.params.drive == Drive::EqualTorque {
-            return self.at_equal_torque(slip, loads);
+            return self.at_equal_torque(told, slip, loads);
         }
         let stations = &self.params.stations;
         let mut found: Vec<Option<VehicleWheel>> = vec![None; stations.len()];
@@ -81,7 +86,10 @@ impl Vehicle {
         for &(station, before) in &self.order {
             let Some(&load) = loads.get(station) else { return Err(VehicleError::NoWheels) };
             let depth = before.map_or(0.0, |before| pressed[before]);
-            let wheel = self.turned(station, slip, load, depth)?;
+            let wheel = match told[station] {
+                Some(wheel) => wheel,
+                None => self.turned(station, slip, load, depth)?,
+            };
             pressed[station] = depth.max(wheel.sinkage);
             found[station] = Some(wheel);
         }

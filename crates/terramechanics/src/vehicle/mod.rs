@@ -17,6 +17,7 @@
 //! Left out: the reaction of the torques on the body, the change of its pitch with the sinkages, suspension that evens out loads, and
 //! all motion across the slope.
 
+mod command;
 mod drive;
 mod error;
 mod loads;
@@ -24,17 +25,20 @@ mod rut;
 mod slope;
 mod turning;
 
+pub use command::{Drive, Turning};
 pub use drive::{Driven, VehicleWheel};
 pub use error::VehicleError;
 pub use rut::Unloading;
 pub use slope::{LargestSlope, OnSlope, SlopeLimit};
-pub use turning::{Drive, Turning};
 
 use crate::braking::Braking;
 use crate::fault::InvalidInput;
 use crate::forces::{ForceModel, Method};
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::rolling::WheelOnSoil;
+
+/// Wheels of stations that turn as they are told whatever the others do.
+type Told = Vec<Option<VehicleWheel>>;
 
 /// Wheels that stand side by side under equal loads.
 #[derive(Debug, Clone, Copy, PartialEq)]

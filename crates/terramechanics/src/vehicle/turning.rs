@@ -4,7 +4,7 @@
 //! among them: the wheel that holds least torque T at that slip has it, and every other slips less, by as much as its T_i(s_i) = T asks.
 //! So a limit of the slip holds for all of them, and the torques stay equal on wheels of different loads and soils.
 
-use super::{Driven, Vehicle, VehicleError, VehicleWheel};
+use super::{Driven, Told, Turning, Vehicle, VehicleError, VehicleWheel};
 use crate::error::Error;
 use crate::numerics::brent::{Sample, bracketed_root};
 use crate::slip::Slip;
@@ -19,34 +19,32 @@ const TOLERANCE: f64 = 1e-13;
 /// Largest miss of a torque, as a share of the torque by which the bracket misses it: beyond it the torque jumps.
 const LARGEST_MISS: f64 = 1e-6;
 
-/// How the wheels of a station turn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Turning {
-    /// As the [`Drive`] of the rover says.
-    Together,
-    /// At a slip of their own, such as −1 of a locked wheel.
-    AtSlip(Slip),
-    /// Under a torque (N·m) of their own, such as 0 of a wheel that rolls freely.
-    UnderTorque(f64),
-}
-
-/// What the wheels that turn together have in common.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drive {
-    /// Their slip, as by wheels of one speed on even ground.
-    OneSlip,
-    /// Their torque, as by motors that share a current or by open differentials.
-    EqualTorque,
-}
-
 impl Vehicle {
+    /// The wheels that are told how to turn, under these loads (N). In ruts they depend on those before, and are left out here.
+    pub(super) fn told(&self, loads: &[f64]) -> Result<Told, VehicleError> {
+        let params = self.params();
+        let wheel = |(station, &load): (usize, &f64)| match params.stations.get(station).map(|of| of.turning) {
+            Some(Turning::AtSlip(_) | Turning::UnderTorque(_)) if params.unloading.is_none() => {
+                self.turned(station, Slip::ROLLING, load, 0.0).map(Some)
+            }
+            _ => Ok(None),
+        };
+        if loads.len() < params.stations.len() {
+            return Err(VehicleError::NoWheels);
+        }
+        loads.iter().enumerate().map(wheel).collect()
+    }
+
     /// A wheel of each station at equal torques of those that turn together, the largest of whose slips is `largest`.
-    pub(super) fn at_equal_torque(&self, largest: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
+    pub(super) fn at_equal_torque(&self, told: &Told, largest: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
         let stations = &self.params().stations;
         let turns_together = |station: usize| stations[station].turning == Turning::Together;
         let mut wheels = Vec::with_capacity(stations.len());
         for (station, &load) in loads.iter().enumerate() {
-            wheels.push(self.turned(station, largest, load, 0.0)?);
+            wheels.push(match told[station] {
+                Some(wheel) => wheel,
+                None => self.turned(station, largest, load, 0.0)?,
+            });
         }
         let torques = wheels.iter().enumerate().filter(|(station, _)| turns_together(*station));
         let torque = torques.map(|(_, wheel)| wheel.forces.torque).fold(f64::INFINITY, f64::min);
