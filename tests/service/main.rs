@@ -47,6 +47,8 @@ mod track_cells;
 mod track_from_torque;
 mod track_stream;
 mod uncertainty;
+mod uncertainty_faults;
+mod uncertainty_spread;
 mod validation;
 mod validation_inputs;
 mod validation_laws;

@@ -10,20 +10,20 @@ fn firm() -> Value {
     with(&letter(), json!({"soil": {"cohesion_pa": 2000}}))
 }
 
-const COHESION: &str = "/soil/cohesion_pa";
-const MODULUS: &str = "/soil/pressure_sinkage/k_phi";
+pub(crate) const COHESION: &str = "/soil/cohesion_pa";
+pub(crate) const MODULUS: &str = "/soil/pressure_sinkage/k_phi";
 
 fn normal(field: &str, mean: f64, deviation: f64) -> Value {
     json!({"field": field, "distribution": "normal", "mean": mean, "standard_deviation": deviation})
 }
 
 /// Normal cohesion and modulus, far from the bounds of both.
-fn of_two(changes: Value) -> Value {
+pub(crate) fn of_two(changes: Value) -> Value {
     let inputs = [normal(COHESION, 2000.0, 150.0), normal(MODULUS, 754_130.0, 40_000.0)];
     with(&json!({"of": "forces", "request": firm(), "inputs": inputs, "samples": 4096}), changes)
 }
 
-fn found(body: &Value) -> Value {
+pub(crate) fn found(body: &Value) -> Value {
     post("/v1/uncertainty", body).ok()
 }
 
@@ -250,71 +250,6 @@ fn joint_samples_keep_what_holds_between_fields() {
     assert_eq!(answer["inputs"][0]["mean"], 1750.0);
 }
 
-fn snow(soil: Value, inputs: Value) -> Value {
-    let soil = with(&json!({"preset": "lever-snow", "spread": "catalogue"}), soil);
-    let request = json!({"wheel": {"preset": "letter"}, "soil": soil, "slip": 0.2, "normal_load_n": 80, "method": "linearised"});
-    json!({"of": "forces", "request": request, "inputs": inputs, "samples": 256})
-}
-
-#[test]
-fn a_soil_takes_the_published_spread_of_its_kind() {
-    let answer = found(&snow(json!({}), json!([])));
-    let inputs = answer["inputs"].as_array().expect("inputs");
-    let fields: Vec<&Value> = inputs.iter().map(|input| &input["field"]).collect();
-    let law = "/soil/pressure_sinkage";
-    let [k_c, n0] = ["k_c", "n0"].map(|name| format!("{law}/{name}"));
-    assert_eq!(fields, [COHESION, "/soil/friction_angle_rad", &k_c, MODULUS, &n0]);
-    // The cohesions of snow, from the catalogue.
-    let mut cohesions: Vec<f64> = post_for_soils()
-        .iter()
-        .filter(|soil| soil["kind"] == "snow")
-        .map(|soil| soil["values"]["cohesion_pa"]["value"].as_f64().expect("a cohesion"))
-        .collect();
-    cohesions.sort_by(f64::total_cmp);
-    assert_eq!(inputs[0]["values"], json!(cohesions));
-    assert!(
-        inputs
-            .iter()
-            .all(|input| input["from"] == "catalogue" && input["reason"].as_str().is_some_and(|text| text.contains("snow")))
-    );
-    assert!(inputs[0]["soils"].as_array().expect("soils").contains(&json!("lever-snow")));
-    assert_eq!(answer["held"][0]["field"], "shear_modulus_m");
-    let groups: Vec<usize> = answer["sensitivities"]
-        .as_array()
-        .expect("sensitivities")
-        .iter()
-        .filter(|one| one["quantity"] == "longitudinal_force_n")
-        .map(|one| one["fields"].as_array().expect("fields").len())
-        .collect();
-    assert_eq!(groups, [1, 1, 3]);
-}
-
-fn post_for_soils() -> Vec<Value> {
-    crate::asking::get("/v1/soils").ok()["soils"].as_array().expect("soils").clone()
-}
-
-#[test]
-fn what_a_client_knows_does_not_spread() {
-    let fields = |body: &Value| -> Vec<Value> {
-        found(body)["inputs"].as_array().expect("inputs").iter().map(|input| input["field"].clone()).collect()
-    };
-    let law = json!({"law": "bekker", "k_c": 1000, "k_phi": 2e5, "n0": 1.5});
-    assert_eq!(fields(&snow(json!({"pressure_sinkage": law, "cohesion_pa": 800}), json!([]))), ["/soil/friction_angle_rad"]);
-    let own = json!([{"field": "/soil/friction_angle_rad", "distribution": "uniform", "low": 0.3, "high": 0.4}]);
-    let varied = fields(&snow(json!({"cohesion_pa": 800}), own));
-    assert_eq!((varied.len(), &varied[0]), (4, &json!("/soil/friction_angle_rad")));
-    let alone = with(&snow(json!({}), json!([])), json!({"request": {"soil": {"preset": "letter-sand"}}}));
-    let said = post("/v1/uncertainty", &alone).fault("/request/soil/spread");
-    assert!(said.contains("only one soil of the kind `paper`"), "{said}");
-    let without = with(&snow(json!({}), json!([])), json!({"request": {"soil": {"preset": null}}}));
-    assert!(post("/v1/uncertainty", &without).pointers().contains(&"/request/soil/spread".to_owned()));
-    let wrong = with(&snow(json!({}), json!([])), json!({"request": {"soil": {"spread": "catalog"}}}));
-    assert_eq!(
-        post("/v1/uncertainty", &wrong).fault("/request/soil/spread"),
-        "unknown name `catalog`; did you mean `catalogue`?"
-    );
-}
-
 /// A rover whose wheels share its weight climbs while the slip that it needs is within the limit: from a heavier rover on a steeper
 /// slope nothing else is asked.
 #[test]
@@ -358,50 +293,6 @@ fn a_table_has_a_row_for_each_value_of_the_axis() {
     let at = names.iter().position(|name| *name == "longitudinal_force_n.q05").expect("a column");
     let cell: f64 = lines[2].split(',').nth(at).expect("a cell").parse().expect("a number");
     assert_eq!(json!(cell), of(&json, "bands", "longitudinal_force_n")["q05"][1]);
-}
-
-#[test]
-fn every_fault_is_pointed_at() {
-    let pointers = |changes: Value| post("/v1/uncertainty", &of_two(changes)).pointers();
-    let of = |input: Value| pointers(json!({"inputs": [with(&json!({"field": COHESION}), input)]}));
-    assert_eq!(of(json!({"distribution": "gauss"})), ["/inputs/0/distribution"]);
-    assert_eq!(of(json!({"distribution": "normal"})), ["/inputs/0/mean", "/inputs/0/standard_deviation"]);
-    assert_eq!(of(json!({"distribution": "normal", "mean": 1, "standard_deviation": 0})), ["/inputs/0/standard_deviation"]);
-    assert_eq!(of(json!({"distribution": "lognormal", "mean": 0, "standard_deviation": 1})), ["/inputs/0/mean"]);
-    assert_eq!(of(json!({"distribution": "uniform", "low": 2, "high": 1})), ["/inputs/0/high"]);
-    assert_eq!(of(json!({"distribution": "uniform", "low": 2, "high": 3, "mode": 2})), ["/inputs/0/mode"]);
-    assert_eq!(of(json!({"distribution": "uniform", "relative": 0.1, "high": 1})), ["/inputs/0/high"]);
-    assert_eq!(of(json!({"distribution": "triangular", "low": 0, "mode": 5, "high": 1})), ["/inputs/0/mode"]);
-    assert_eq!(of(json!({"distribution": "quantiles", "values": [2, 1]})), ["/inputs/0/values"]);
-    assert_eq!(of(json!({"distribution": "quantiles", "values": [-1, 1]})), ["/inputs/0/values/0"]);
-    assert_eq!(of(json!({"distribution": "quantiles", "relative": 0.1})), ["/inputs/0/values", "/inputs/0/relative"]);
-    let at = |field: &str| pointers(json!({"inputs": [{"field": field, "distribution": "normal", "relative": 0.1}]}));
-    assert_eq!(at("/soil/cohesoin_pa"), ["/inputs/0/field", "/inputs/0/relative"]);
-    assert_eq!(at("/contact/c1"), ["/inputs/0/relative"]);
-    let twice = json!({"field": COHESION, "distribution": "normal", "relative": 0.1});
-    assert_eq!(pointers(json!({"inputs": [twice, twice]})), ["/inputs/1/field"]);
-    let samples = |values: Value| json!({"field": COHESION, "distribution": "samples", "values": values});
-    let other = json!({"field": MODULUS, "distribution": "samples", "values": [7e5, 8e5, 9e5]});
-    assert_eq!(pointers(json!({"inputs": [samples(json!([1, 2])), other]})), ["/inputs/1/values"]);
-
-    assert_eq!(pointers(json!({"correlation": [[1, 0.5]]})), ["/correlation"]);
-    assert_eq!(pointers(json!({"correlation": [[1, 2], [0.5, 1]]})), ["/correlation/0"]);
-    assert_eq!(pointers(json!({"correlation": [[1, 1], [1, 1]]})), ["/correlation"]);
-    assert_eq!(pointers(json!({"correlation": 0.5})), ["/correlation"]);
-    assert_eq!(pointers(json!({"samples": 255, "seed": -1})), ["/samples", "/seed"]);
-    assert_eq!(pointers(json!({"samples": 16_384, "axis": {"field": "/slip", "from": 0, "to": 1, "points": 201}})), ["/samples"]);
-    assert_eq!(pointers(json!({"axis": {"field": "/slip", "from": 0, "to": 1, "points": 202}})), ["/axis"]);
-    assert_eq!(pointers(json!({"axis": {"field": COHESION, "values": [1]}})), ["/axis/field"]);
-    assert_eq!(pointers(json!({"conditions": [{"quantity": "pull", "below": 1}]})), ["/conditions/0/quantity"]);
-    assert_eq!(
-        pointers(json!({"conditions": [{"quantity": "slip"}, {"quantity": "slip", "below": 1, "above": 2}]})),
-        ["/conditions/0", "/conditions/1"]
-    );
-    assert_eq!(pointers(json!({"sensitivity_of": "torque"})), ["/sensitivity_of"]);
-    assert_eq!(pointers(json!({"inputs": []})), ["/inputs"]);
-    assert_eq!(pointers(json!({"request": {"sinkage_m": 0.5}})), ["/request/sinkage_m"]);
-    assert_eq!(pointers(json!({"request": {"wheel": {"width_m": null}}})), ["/request/wheel/width_m"]);
-    assert_eq!(post("/v1/uncertainty", &json!({})).pointers(), ["/of", "/request"]);
 }
 
 /// Work is priced before it runs.

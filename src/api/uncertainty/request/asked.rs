@@ -1,6 +1,6 @@
 //! The request whose fields are uncertain; its soil may have the published spread of its kind.
 
-use terramechanics_reading::{Components, Content, Kind, Nested, Node, Object, Path, Scope, unknown_word};
+use terramechanics_reading::{Components, Kind, Nested, Node, Object, Path, Scope, unknown_word};
 use utoipa::openapi::schema::{AdditionalProperties, AnyOfBuilder, ObjectBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 
@@ -82,8 +82,8 @@ impl Kind for Asked {
         Nested { requests: self.requests }.components(found);
     }
 
-    fn content(&self) -> Content {
-        Content::Other("a request")
+    fn what(&self) -> &'static str {
+        "a request"
     }
 }
 

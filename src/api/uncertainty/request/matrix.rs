@@ -1,6 +1,6 @@
 //! A square of numbers, row by row.
 
-use terramechanics_reading::{Content, Item, Kind, Node, Number, Scope};
+use terramechanics_reading::{Item, Kind, Node, Number, Scope};
 use utoipa::openapi::schema::{ArrayBuilder, KnownFormat, ObjectBuilder, SchemaFormat, Type};
 use utoipa::openapi::{RefOr, Schema};
 
@@ -56,7 +56,7 @@ impl Kind for Matrix {
         ArrayBuilder::new().items(row).max_items(Some(self.most)).description(Some(meaning)).into()
     }
 
-    fn content(&self) -> Content {
-        Content::Other("an array of rows")
+    fn what(&self) -> &'static str {
+        "an array of rows"
     }
 }
