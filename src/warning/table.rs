@@ -140,9 +140,9 @@ findings! { many;
     advises "Send a lognormal or triangular distribution, or quantiles, if that share is not small.";
 
     "samples_unanswered" SamplesUnanswered { count: u64, all: u64 }
-    means "Samples of an uncertain request have no answer: how many. They are in no band, so that the bands hold on condition that there is an answer."
+    means "Samples of an uncertain request have no answer: how many. A band is made of the samples that have a value, so that it holds on condition that there is one."
     about Measure::of("unanswered", *count as f64).in_unit("1"),
-    says format!("{count} of {all} samples have no answer and are in no band."),
+    says format!("{count} of {all} samples have no answer; `answered` tells how many samples each band has."),
     advises "`status` counts why; `least` and `most` of a probability take them into account. Narrow the inputs if they are many.";
 
     "no_solution" NoSolution { reason: Reason, pointer: &'static str }

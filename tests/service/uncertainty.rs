@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use terramechanics_uncertainty::{Bounds, Design, Distribution, Inputs, Marginal, Source};
 
-use crate::asking::{letter, post, post_for_csv, with};
+use crate::asking::{letter, post, post_all, post_for_csv, with};
 
 /// A soil whose pull at a known sinkage is linear in cohesion and k_phi: the stresses are, and the angles do not depend on them.
 fn firm() -> Value {
@@ -122,11 +122,11 @@ fn bands_are_those_of_single_requests() {
     let slip = Marginal::new(slip, Bounds::NONE).expect("a marginal");
     let inputs = Inputs::new(vec![Source::One(cohesion), Source::One(slip)]).expect("inputs");
     let design = Design::new(inputs, 256, 12).expect("a design");
-    let mut pulls: Vec<f64> = (0..256)
-        .map(|row| {
-            let row = design.row(row).expect("a row");
-            pull(json!({"soil": {"cohesion_pa": row[0]}, "slip": row[1]}))
-        })
+    let rows: Vec<Vec<f64>> = (0..256).map(|row| design.row(row).expect("a row")).collect();
+    let single = |row: &Vec<f64>| with(&firm(), json!({"soil": {"cohesion_pa": row[0]}, "slip": row[1]}));
+    let mut pulls: Vec<f64> = post_all("/v1/forces", rows.iter().map(single))
+        .iter()
+        .map(|reply| reply["longitudinal_force_n"].as_f64().expect("a pull"))
         .collect();
     let answer = found(&json!({
         "of": "forces", "request": with(&letter(), json!({"slip": null})), "seed": 12, "samples": 256, "sensitivity": false,

@@ -54,7 +54,15 @@ pub(crate) fn scale(values: impl Iterator<Item = f64>) -> f64 {
     if largest > 0.0 { largest } else { 1.0 }
 }
 
+/// The variance, of numbers up to 1 in size, up to which there is only the rounding of a model: a deviation of 1e-10.
+pub(crate) const ROUNDING: f64 = 1e-20;
+
 impl Estimate {
+    /// What is known without error.
+    pub(crate) fn exact(self) -> Self {
+        Self { error: 0.0, ..self }
+    }
+
     /// In the unit of values that were divided by a scale.
     pub(crate) fn times(self, scale: f64) -> Self {
         Self { value: self.value * scale, error: self.error * scale }

@@ -11,7 +11,7 @@
 //! - total: Σ (f_A − f_AB)² / (2 N V), Jansen (1999), Computer Physics Communications 117, 35–43; Table 2 (f) of Saltelli et al.
 
 use crate::design::Design;
-use crate::estimate::{Estimate, Ratio, scale};
+use crate::estimate::{Estimate, ROUNDING, Ratio, scale};
 
 /// How far a group of inputs decides.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,9 +44,6 @@ pub fn sensitivities(design: &Design, answers: &[Option<f64>]) -> Vec<Option<Sen
 /// The fewest samples that an index is made of.
 const LEAST: usize = crate::design::LEAST_SAMPLES / 2;
 
-/// A variance, of numbers up to 1 in size, below which there is only rounding.
-const LEAST_VARIANCE: f64 = 1e-28;
-
 fn of_group(
     group: &[usize],
     [a, b, exchanged]: [&[Option<f64>]; 3],
@@ -55,7 +52,7 @@ fn of_group(
     let whole = |sample: usize| Some((sample, [about(a[sample])?, about(b[sample])?, about(exchanged[sample])?]));
     let rows: Vec<(usize, [f64; 3])> = (0..a.len()).filter_map(whole).collect();
     let variance = |[a, b, _]: [f64; 3]| 0.5 * (a * a + b * b);
-    let varies = rows.iter().map(|(_, row)| variance(*row)).sum::<f64>() > LEAST_VARIANCE * rows.len() as f64;
+    let varies = rows.iter().map(|(_, row)| variance(*row)).sum::<f64>() > ROUNDING * rows.len() as f64;
     if rows.len() < LEAST || !varies {
         return None;
     }

@@ -1,7 +1,7 @@
 //! What a quantity is like over all samples.
 
 use crate::design::SCRAMBLINGS;
-use crate::estimate::{Estimate, Ratio, scale};
+use crate::estimate::{Estimate, ROUNDING, Ratio, scale};
 
 /// The probabilities of the quantiles of a summary.
 pub const PROBABILITIES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
@@ -36,8 +36,11 @@ impl Summary {
         let mean = Ratio::mean(known().map(|(sample, answer)| (sample, answer / scale))).estimate()?;
         let square = |answer: f64| (answer / scale - mean.value).powi(2);
         let variance = Ratio::mean(known().map(|(sample, answer)| (sample, square(answer)))).estimate()?;
+        if variance.value <= ROUNDING {
+            return Some(Self::of_one(mean.times(scale), &ascending));
+        }
         let deviation = variance.value.sqrt();
-        let error = if deviation > 0.0 { variance.error / (2.0 * deviation) } else { 0.0 };
+        let error = variance.error / (2.0 * deviation);
         let mut quantiles = [mean; PROBABILITIES.len()];
         for (quantile, probability) in quantiles.iter_mut().zip(PROBABILITIES) {
             *quantile = of_probability(probability, &ascending, known())?;
@@ -48,6 +51,12 @@ impl Summary {
             deviation: Estimate { value: deviation, error }.times(scale),
             quantiles,
         })
+    }
+
+    /// Of answers that are the same but for the rounding of the model: there is no deviation and no error.
+    fn of_one(mean: Estimate, ascending: &[f64]) -> Self {
+        let quantiles = PROBABILITIES.map(|probability| Estimate { value: quantile(ascending, probability), error: 0.0 });
+        Self { answered: ascending.len(), mean: mean.exact(), deviation: Estimate { value: 0.0, error: 0.0 }, quantiles }
     }
 }
 

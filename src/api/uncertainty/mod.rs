@@ -74,7 +74,8 @@ impl Room for UncertaintyCase {
 /// deviation and the quantiles at 5, 25, 50, 75 and 95 %; for each condition its probability; and the shares of the variance that
 /// each input decides, by itself (`first_order`) and together with others (`total`). Every number has its own standard error.
 ///
-/// A sample without an answer is counted under `status` and in no band; a probability has bounds for it, `least` and `most`. A
+/// A sample without an answer is counted under `status`; `answered` tells how many samples each band has, and a probability has bounds
+/// for the others, `least` and `most`. A
 /// distribution without ends is cut off at the bounds of its field, which `share_cut` and a warning tell. Inputs that are correlated
 /// have one sensitivity together. The fields that warnings name are those of `request`, their rows are samples, value of the axis by
 /// value of the axis. With `Accept: text/csv` the columns come as a table with a row for each value of the axis.
