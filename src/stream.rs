@@ -15,8 +15,8 @@ use crate::compute::Place;
 use crate::limits::Limits;
 use crate::problem::Problem;
 
-/// Output after which a slice ends (bytes). Larger pieces are hardly faster.
-pub(crate) const PIECE: usize = 16 << 10;
+/// Output after which a slice ends (bytes). A slice is handed to another thread and back, which takes as long as a hundred cheap rows.
+pub(crate) const PIECE: usize = 64 << 10;
 
 /// Room for the row that goes beyond the end of a piece (bytes).
 const OVERHANG: usize = 1 << 10;
