@@ -110,7 +110,7 @@ fn the_lightest_wheel_that_pulls_is_lighter_than_any_of_a_dense_grid_and_keeps_i
 
 #[test]
 fn the_wheel_of_a_given_mass_that_pulls_best_beats_all_of_a_grid() {
-    // The question of Ding et al. (2014): which radius and width, where both share one mass.
+    // Which radius and width are best, where both share one mass: the question that Ding et al. ask of a rover's wheel.
     let most = 0.25;
     let constraints = json!([{"quantity": MASS, "at_most": most}]);
     let found = optimum(&sought(wheels(), json!({"maximise": "longitudinal_force_n", "constraints": constraints})));
