@@ -29,6 +29,7 @@ mod reply;
 mod request;
 mod rest;
 mod router;
+mod rows;
 mod series;
 pub mod server;
 mod state;

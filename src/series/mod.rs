@@ -1,11 +1,14 @@
 //! Time series of telemetry as they stand on the wire: read piece by piece, in constant memory, wherever the pieces end.
 
 mod csv;
+mod lines;
 mod ndjson;
 #[cfg(any(test, fuzzing))]
 mod pieces;
 
 use csv::CsvReader;
+pub(crate) use csv::{Next, Records, number};
+pub(crate) use lines::{Line, Lines};
 use ndjson::NdjsonReader;
 #[cfg(fuzzing)]
 pub(crate) use pieces::all;
@@ -55,7 +58,7 @@ pub(crate) enum ExtraColumns {
 }
 
 /// How they can be left out, for those who sent them.
-const LEAVING_OUT: &str = "extra_columns=ignore leaves unknown ones out";
+pub(crate) const LEAVING_OUT: &str = "extra_columns=ignore leaves unknown ones out";
 
 /// The columns that a series has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -110,13 +110,21 @@ impl Object {
     /// # Errors
     /// Why there is none.
     pub fn number_at(&'static self, path: &Path, hints: &Hints) -> Result<Number, Astray> {
+        self.content_at(path, hints)?.number()
+    }
+
+    /// What is declared under a path.
+    ///
+    /// # Errors
+    /// Why there is nothing.
+    pub fn content_at(&'static self, path: &Path, hints: &Hints) -> Result<Content, Astray> {
         let mut content = Content::Object(self);
         let mut way = String::new();
         for name in path.names() {
             content = content.within(name, &way, hints)?;
             way = format!("{way}/{}", shortened(name));
         }
-        content.number()
+        Ok(content)
     }
 }
 

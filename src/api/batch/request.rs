@@ -1,0 +1,86 @@
+//! What a batch has beside its rows: fields that all rows have in common, and what becomes of its columns.
+
+use axum::http::Uri;
+use terramechanics_reading::{Declared, Faults, Field, FieldFault, Kind, Label, Node, Scope, Word};
+use utoipa::IntoParams;
+use utoipa::openapi::path::{Parameter, ParameterIn};
+
+use crate::api::forces::ForcesCase;
+use crate::extract::{parsed, taken};
+use crate::problem::Problem;
+use crate::quantity::point_columns;
+use crate::request::Request;
+use crate::rows::{Echo, Wanted};
+use crate::series::ExtraColumns;
+use crate::words::HINTS;
+
+use super::reply::STATUS;
+
+const ECHO: Field<Label> = Field::new(
+    "echo",
+    "Columns of the body, with commas between, that stand again in front of those of the answer, such as an id; `all`: all of them. They need not be fields. One that the answer has anyway stands there once.",
+    Label,
+);
+const EXTRA_COLUMNS: Field<Word<ExtraColumns>> = Field::new(
+    "extra_columns",
+    "What becomes of columns that are no field and are not in `echo`: refuse names them all; ignore leaves them out.",
+    Word::new(&[("refuse", ExtraColumns::Refuse), ("ignore", ExtraColumns::Ignore)]).or(ExtraColumns::Refuse),
+);
+const ALL: &str = "all";
+const SLIP_ANGLE: &str = "slip_angle_rad";
+
+/// What is wanted of the columns of a batch, by its query.
+///
+/// # Errors
+/// [`Problem::Invalid`] for what is wrong with `echo` and `extra_columns`. The fields of the request are checked with the rows.
+pub(super) fn wanted(uri: &Uri) -> Result<Wanted, Problem> {
+    let mut query = parsed(uri)?;
+    let faults = Faults::new(&HINTS);
+    let root = Scope::root(&faults);
+    let extra = taken(&mut query, EXTRA_COLUMNS.name, &root)
+        .and_then(|node| EXTRA_COLUMNS.kind.read(&node, root.field(EXTRA_COLUMNS.name)))
+        .unwrap_or(ExtraColumns::Refuse);
+    let echo = taken(&mut query, ECHO.name, &root).map(echo).unwrap_or(Echo::Names(Vec::new()));
+    if matches!(&echo, Echo::Names(names) if names.iter().any(|name| name == STATUS)) {
+        root.field(ECHO.name).fault("the answer has a `status` of its own; rename the column");
+    }
+    let list: Vec<FieldFault> = faults.into_list();
+    if !list.is_empty() {
+        return Err(Problem::Invalid(list));
+    }
+    let constants = query.into_node().detached();
+    let answered = point_columns(true).map(|(about, _)| about.name).chain([STATUS]).collect();
+    Ok(Wanted { object: ForcesCase::OBJECT, constants, echo, extra, answered })
+}
+
+fn echo(node: Node<'_>) -> Echo {
+    let names = match &node {
+        Node::Number(value) => value.to_string(),
+        other => other.text().unwrap_or_default().to_owned(),
+    };
+    match names.as_str() {
+        ALL => Echo::All,
+        names => Echo::Names(names.split(',').map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect()),
+    }
+}
+
+/// Whether rows may go sideways: the answer then has the columns across the wheel.
+pub(super) fn may_go_sideways(wanted: &Wanted, fields: &[terramechanics_reading::Path]) -> bool {
+    let is_constant = matches!(&wanted.constants, Node::Object(fields) if fields.iter().any(|(name, _)| name == SLIP_ANGLE));
+    is_constant || fields.iter().any(|path| path.dotted() == SLIP_ANGLE)
+}
+
+/// The parameters of a batch for the contract: each field of the request, and what becomes of columns.
+pub(crate) struct BatchParameters;
+
+impl IntoParams for BatchParameters {
+    fn into_params(_: impl Fn() -> Option<ParameterIn>) -> Vec<Parameter> {
+        let mut found = Vec::new();
+        ECHO.parameters("", &mut found);
+        EXTRA_COLUMNS.parameters("", &mut found);
+        ForcesCase::OBJECT.parameters("", &mut found);
+        // Every field may be a column.
+        found.iter_mut().for_each(|parameter| parameter.required = utoipa::openapi::Required::False);
+        found
+    }
+}

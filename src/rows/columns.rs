@@ -1,0 +1,155 @@
+//! What the columns of a batch are: fields of a request, and others that its answer repeats or leaves out.
+
+use terramechanics_reading::{Astray, Content, FieldFault, Node, Object, Path, shortened};
+
+use crate::series::{ExtraColumns, LEAVING_OUT};
+use crate::words::{HINTS, nearest};
+
+/// Fields that may be columns: as many as a row has bits for them, and more than any request has.
+pub(super) const MOST_FIELDS: usize = 64;
+
+/// Columns that the answer repeats in front of its own.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Echo {
+    /// All that are not left out.
+    All,
+    /// Those of these names.
+    Names(Vec<String>),
+}
+
+/// What is wanted of the columns.
+#[derive(Debug, Clone)]
+pub(crate) struct Wanted {
+    /// The request that a row stands for.
+    pub(crate) object: &'static Object,
+    /// What all rows have in common.
+    pub(crate) constants: Node<'static>,
+    pub(crate) echo: Echo,
+    pub(crate) extra: ExtraColumns,
+    /// The columns of the answer.
+    pub(crate) answered: Vec<&'static str>,
+}
+
+/// The columns of a body.
+#[derive(Debug, Default)]
+pub(crate) struct Columns {
+    /// The fields among them.
+    pub(crate) fields: Vec<Path>,
+    /// Of each field, whether it is a number or may be one.
+    pub(super) is_number: Vec<bool>,
+    /// Of each column the place among the fields, if it is one.
+    pub(super) field_of: Vec<Option<usize>>,
+    /// Of each column the place among those that the answer repeats.
+    pub(super) echo_of: Vec<Option<usize>>,
+    /// The names of those.
+    pub(crate) echoed: Vec<String>,
+}
+
+impl Wanted {
+    /// The columns of these names, or all that is wrong with them.
+    pub(super) fn columns(&self, names: &[String]) -> Result<Columns, Vec<FieldFault>> {
+        let mut columns = Columns::default();
+        let mut faults = Vec::new();
+        for (i, name) in names.iter().enumerate() {
+            let pointer = || Path::of_dotted(name).map_or_else(String::new, |path| path.pointer());
+            let mut refuse = |detail: String| faults.push(FieldFault::new(pointer(), detail));
+            if names[..i].contains(name) {
+                refuse(format!("the column `{}` is there more than once", shortened(name)));
+            }
+            let field = self.field(name).unwrap_or_else(|detail| {
+                refuse(detail);
+                None
+            });
+            columns.field_of.push(field.as_ref().map(|_| columns.fields.len()));
+            let is_known = field.is_some();
+            if let Some((path, content)) = field {
+                columns.is_number.push(is_number(&content));
+                columns.fields.push(path);
+            }
+            let is_wanted = match &self.echo {
+                Echo::All => (is_known || self.extra == ExtraColumns::Ignore) && !self.answered.contains(&name.as_str()),
+                Echo::Names(wanted) => wanted.contains(name) && !self.answered.contains(&name.as_str()),
+            };
+            columns.echo_of.push(is_wanted.then_some(columns.echoed.len()));
+            columns.echoed.extend(is_wanted.then(|| name.clone()));
+        }
+        if columns.fields.len() > MOST_FIELDS {
+            faults.push(FieldFault::new("", format!("a batch may have at most {MOST_FIELDS} columns that are fields")));
+        }
+        faults.extend(self.absent(names));
+        if faults.is_empty() { Ok(columns) } else { Err(faults) }
+    }
+
+    /// The field that a column is; none of one that is not read; else what is wrong with it.
+    fn field(&self, name: &str) -> Result<Option<(Path, Content)>, String> {
+        let path = Path::of_dotted(name);
+        let found = path.map(|path| self.object.content_at(&path, &HINTS).map(|content| (path, content)));
+        match found {
+            Some(Ok((_, Content::Object(_) | Content::Tagged(_) | Content::Objects(_)))) => {
+                let within = self.names().find(|known| known.starts_with(&format!("{name}.")));
+                let such = within.map_or_else(String::new, |known| format!(", such as `{known}`"));
+                Err(format!("is an object; a column is one of its fields{such}"))
+            }
+            Some(Ok((path, _))) if is_given(&self.constants, &path) => Err("is given in the query as well".to_owned()),
+            Some(Ok(field)) => Ok(Some(field)),
+            Some(Err(_)) | None if self.is_let_through(name) => Ok(None),
+            Some(Err(Astray::Within { path, what })) => Err(format!("`{path}` is {what}, which has no fields; {LEAVING_OUT}")),
+            Some(Err(_)) | None => Err(self.unknown(name)),
+        }
+    }
+
+    /// Whether a column that is no field is no mistake.
+    fn is_let_through(&self, name: &str) -> bool {
+        let is_echoed = matches!(&self.echo, Echo::Names(names) if names.iter().any(|known| known == name));
+        is_echoed || self.extra == ExtraColumns::Ignore
+    }
+
+    fn unknown(&self, name: &str) -> String {
+        let names: Vec<String> = self.names().collect();
+        let known: Vec<&str> = names.iter().map(String::as_str).collect();
+        let unit = name.rsplit_once('.').map_or(name, |(_, last)| last);
+        let hint = HINTS.unknown_field(unit, &known.iter().filter_map(|known| known.rsplit('.').next()).collect::<Vec<_>>(), &[]);
+        let meant = match nearest(name, &known) {
+            Some(near) => format!("; did you mean `{near}`?"),
+            None if hint.starts_with("known") => String::new(),
+            None => format!("; {hint}"),
+        };
+        format!("unknown column `{}`{meant}; {LEAVING_OUT}, and echo={} repeats it", shortened(name), shortened(name))
+    }
+
+    /// The names that columns may have.
+    fn names(&self) -> impl Iterator<Item = String> {
+        let mut parameters = Vec::new();
+        self.object.parameters("", &mut parameters);
+        parameters.into_iter().map(|parameter| parameter.name)
+    }
+
+    /// The columns that are to be repeated and are not there, or have no place beside those of the answer.
+    fn absent(&self, names: &[String]) -> Vec<FieldFault> {
+        let Echo::Names(wanted) = &self.echo else { return Vec::new() };
+        let known: Vec<&str> = names.iter().map(String::as_str).collect();
+        let absent = wanted.iter().filter(|name| !names.contains(name)).map(|name| {
+            let meant = nearest(name, &known).map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
+            FieldFault::new("/echo", format!("the body has no column `{}`{meant}", shortened(name)))
+        });
+        absent.collect()
+    }
+}
+
+fn is_number(content: &Content) -> bool {
+    match content {
+        Content::Number(_) | Content::OneOf(_) => true,
+        Content::Object(_) | Content::Tagged(_) | Content::Objects(_) | Content::Other(_) => false,
+    }
+}
+
+/// Whether something stands under a path.
+fn is_given(constants: &Node<'_>, path: &Path) -> bool {
+    let mut node = constants;
+    for name in path.names() {
+        let Node::Object(fields) = node else { return true };
+        let Some((_, within)) = fields.iter().find(|(known, _)| known == name) else { return false };
+        node = within;
+    }
+    true
+}
