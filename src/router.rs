@@ -20,10 +20,9 @@ use crate::api::operations::Operations;
 use crate::api::resistances::{self, ResistancesCase};
 use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
-use crate::api::sweep::{self, GridCase};
 use crate::api::towed::{self, TowedCase};
 use crate::api::vehicle::{self, VehicleCase};
-use crate::api::{batch, catalogue, health, limits, model, track, validation};
+use crate::api::{batch, catalogue, health, limits, model, sweep, track, validation};
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
 use crate::state::Service;
@@ -36,7 +35,7 @@ fn operations() -> Operations {
         .room::<ForcesCase>(routes!(forces::forces, forces::forces_of_query))
         .room::<ProfileCase>(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
-        .room::<GridCase>(routes!(sweep::sweep))
+        .shown(routes!(sweep::sweep), sweep::example)
         .room::<CompareCase>(routes!(compare::compare))
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))
@@ -46,7 +45,7 @@ fn operations() -> Operations {
         .room::<PlatesCase>(routes!(plates::plates))
         .room::<ShearTestsCase>(routes!(shear::shear))
         .shown(routes!(track::track), track::example)
-        .plain(routes!(batch::batch))
+        .shown(routes!(batch::batch), batch::example)
         .shown(routes!(catalogue::wheels), catalogue::example_of_wheels)
         .shown(routes!(catalogue::wheel), catalogue::example_of_wheel)
         .shown(routes!(catalogue::soils), catalogue::example_of_soils)

@@ -182,6 +182,12 @@ impl Cost {
         Self { usual, price: ALLOWANCE + 3.0 * usual }
     }
 
+    /// The cost of so many rovers like one, each read by itself and on one slope.
+    pub(crate) fn of_rovers(vehicle: &Vehicle, rovers: usize) -> Self {
+        let usual = rovers as f64 * (Self::of_vehicle(vehicle, 1).usual + Self::READ);
+        Self { usual, price: ALLOWANCE + 3.0 * usual }
+    }
+
     /// The cost of one evaluation of closed forms.
     pub(crate) fn of_closed_forms() -> Self {
         Self::fixed(1e3)

@@ -13,10 +13,12 @@ pub(crate) enum RowsForm {
     Csv,
     /// A JSON object a line.
     Ndjson,
+    /// Record batches, as a stream of Arrow's messages.
+    Arrow,
 }
 
 impl RowsForm {
-    const ALL: [Self; 2] = [Self::Csv, Self::Ndjson];
+    const ALL: [Self; 3] = [Self::Csv, Self::Ndjson, Self::Arrow];
 
     /// The form of a body.
     ///
@@ -40,6 +42,7 @@ impl RowsForm {
         match self {
             Self::Csv => &["text/csv"],
             Self::Ndjson => &["application/x-ndjson", "application/ndjson", "application/jsonl"],
+            Self::Arrow => &["application/vnd.apache.arrow.stream"],
         }
     }
 
@@ -48,6 +51,7 @@ impl RowsForm {
         match self {
             Self::Csv => "text/csv; charset=utf-8; header=present",
             Self::Ndjson => "application/x-ndjson",
+            Self::Arrow => "application/vnd.apache.arrow.stream",
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use arrow_array::ArrayRef;
 use terramechanics_reading::Node;
 
 use super::columns::Columns;
@@ -25,6 +26,8 @@ pub(crate) struct Block {
     values: Vec<Vec<f64>>,
     shapes: Vec<Shape>,
     row: Shape,
+    /// Rows before those that were begun at once.
+    begun: usize,
     texts: Texts,
     /// Rows that cannot be read, ascending, and why.
     faults: Vec<(usize, String)>,
@@ -36,6 +39,24 @@ pub(crate) struct Block {
 struct Texts {
     list: Vec<Node<'static>>,
     places: HashMap<String, usize>,
+}
+
+impl Texts {
+    fn place_of(&mut self, text: &str, made: impl FnOnce(&str) -> Node<'static>) -> usize {
+        match self.places.get(text) {
+            Some(place) => *place,
+            None => {
+                let place = self.add(made(text));
+                self.places.insert(text.to_owned(), place);
+                place
+            }
+        }
+    }
+
+    fn add(&mut self, value: Node<'static>) -> usize {
+        self.list.push(value);
+        self.list.len() - 1
+    }
 }
 
 impl Block {
@@ -76,21 +97,14 @@ impl Block {
 
     /// The row has this text, which is kept as `made` makes it.
     pub(super) fn text(&mut self, field: usize, text: &str, made: impl FnOnce(&str) -> Node<'static>) {
-        let place = match self.texts.places.get(text) {
-            Some(place) => *place,
-            None => {
-                self.texts.list.push(made(text));
-                self.texts.places.insert(text.to_owned(), self.texts.list.len() - 1);
-                self.texts.list.len() - 1
-            }
-        };
+        let place = self.texts.place_of(text, made);
         self.placed(field, place);
     }
 
     /// The row has this value, which is neither a number nor a text.
     pub(super) fn other(&mut self, field: usize, value: Node<'static>) {
-        self.texts.list.push(value);
-        self.placed(field, self.texts.list.len() - 1);
+        let place = self.texts.add(value);
+        self.placed(field, place);
     }
 
     fn placed(&mut self, field: usize, place: usize) {
@@ -102,6 +116,55 @@ impl Block {
     /// The row has this in a column that is repeated.
     pub(super) fn echo(&mut self, column: usize, cell: EchoedCell<'_>) {
         self.echoes[column].push(cell);
+    }
+
+    /// How many rows have room.
+    pub(super) fn room(&self) -> usize {
+        Self::ROWS - self.rows().min(Self::ROWS)
+    }
+
+    /// So many rows begin at once, whose columns come one after the other.
+    pub(super) fn begin_rows(&mut self, rows: usize) {
+        self.begun = self.rows();
+        self.shapes.resize(self.begun + rows, Shape::default());
+    }
+
+    /// All rows that were begun have these numbers.
+    pub(super) fn all_numbers(&mut self, field: usize, values: &[f64]) {
+        self.values[field].extend_from_slice(values);
+        self.shapes[self.begun..].iter_mut().for_each(|shape| shape.present |= 1 << field);
+    }
+
+    /// That of the rows that were begun has this number.
+    pub(super) fn number_at(&mut self, row: usize, field: usize, value: f64) {
+        self.values[field].resize(self.begun + row, f64::NAN);
+        self.values[field].push(value);
+        self.shapes[self.begun + row].present |= 1 << field;
+    }
+
+    /// It has this text.
+    pub(super) fn text_at(&mut self, row: usize, field: usize, text: &str, made: impl FnOnce(&str) -> Node<'static>) {
+        let place = self.texts.place_of(text, made);
+        self.number_at(row, field, place as f64);
+        self.shapes[self.begun + row].textual |= 1 << field;
+    }
+
+    /// It has this value, which is neither a number nor a text.
+    pub(super) fn other_at(&mut self, row: usize, field: usize, value: Node<'static>) {
+        let place = self.texts.add(value);
+        self.number_at(row, field, place as f64);
+        self.shapes[self.begun + row].textual |= 1 << field;
+    }
+
+    /// They have this column, which is repeated as it is.
+    pub(super) fn keep(&mut self, column: usize, array: &ArrayRef) {
+        self.echoes[column].keep(array);
+    }
+
+    /// The rows that were begun end; what they did not have is absent.
+    pub(super) fn end_rows(&mut self) {
+        let rows = self.rows();
+        self.values.iter_mut().for_each(|values| values.resize(rows, f64::NAN));
     }
 
     /// The row ends; what it did not have is absent.

@@ -1,5 +1,6 @@
 //! What the columns of a batch are: fields of a request, and others that its answer repeats or leaves out.
 
+use arrow_schema::DataType;
 use terramechanics_reading::{Astray, Content, FieldFault, Node, Object, Path, shortened};
 
 use crate::series::{ExtraColumns, LEAVING_OUT};
@@ -26,6 +27,8 @@ pub(crate) struct Wanted {
     pub(crate) constants: Node<'static>,
     pub(crate) echo: Echo,
     pub(crate) extra: ExtraColumns,
+    /// Whether columns of an Arrow stream are repeated as they come.
+    pub(crate) keeps_arrays: bool,
     /// The columns of the answer.
     pub(crate) answered: Vec<&'static str>,
 }
@@ -43,6 +46,8 @@ pub(crate) struct Columns {
     pub(super) echo_of: Vec<Option<usize>>,
     /// The names of those.
     pub(crate) echoed: Vec<String>,
+    /// Of each of those, of what kind it is where it is repeated as it comes; else it is a text.
+    pub(crate) kept: Vec<Option<DataType>>,
 }
 
 impl Wanted {
@@ -72,6 +77,7 @@ impl Wanted {
             };
             columns.echo_of.push(is_wanted.then_some(columns.echoed.len()));
             columns.echoed.extend(is_wanted.then(|| name.clone()));
+            columns.kept.extend(is_wanted.then_some(None));
         }
         if columns.fields.len() > MOST_FIELDS {
             faults.push(FieldFault::new("", format!("a batch may have at most {MOST_FIELDS} columns that are fields")));

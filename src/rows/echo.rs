@@ -1,5 +1,7 @@
 //! Columns of a body that its answer repeats.
 
+use arrow_array::ArrayRef;
+
 /// A cell that is repeated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum EchoedCell<'a> {
@@ -24,12 +26,24 @@ pub(crate) struct Echoed {
     text: String,
     /// Of each cell where its text ends, and what it is.
     cells: Vec<(usize, Kind)>,
+    /// In place of cells, the parts of the column as they came.
+    arrays: Vec<ArrayRef>,
 }
 
 impl Echoed {
     pub(super) fn clear(&mut self) {
         self.text.clear();
         self.cells.clear();
+        self.arrays.clear();
+    }
+
+    pub(super) fn keep(&mut self, array: &ArrayRef) {
+        self.arrays.push(array.clone());
+    }
+
+    /// The parts of a column that is repeated as it came.
+    pub(crate) fn arrays(&self) -> &[ArrayRef] {
+        &self.arrays
     }
 
     pub(super) fn len(&self) -> usize {

@@ -1,18 +1,20 @@
 //! The rows of a batch as they stand on the wire: read piece by piece into blocks of columns, wherever the pieces end.
 
+mod arrow;
 mod block;
 mod columns;
 mod csv;
 mod echo;
 mod ndjson;
 
-pub(crate) use block::Block;
+pub(crate) use block::{Block, Shape};
 pub(crate) use columns::{Columns, Echo, Wanted};
 pub(crate) use echo::EchoedCell;
 
 use std::sync::Arc;
 
 use crate::problem::Problem;
+use arrow::ArrowRows;
 use csv::CsvRows;
 use ndjson::NdjsonRows;
 
@@ -31,6 +33,7 @@ pub(crate) enum Read {
 pub(crate) enum Reader {
     Csv(Box<CsvRows>),
     Ndjson(Box<NdjsonRows>),
+    Arrow(Box<ArrowRows>),
 }
 
 impl Reader {
@@ -42,6 +45,18 @@ impl Reader {
         Self::Ndjson(Box::new(NdjsonRows::new(wanted)))
     }
 
+    pub(crate) fn arrow(wanted: Wanted) -> Self {
+        Self::Arrow(Box::new(ArrowRows::new(wanted)))
+    }
+
+    /// Whether there are more rows without further input.
+    pub(crate) fn holds_input(&self) -> bool {
+        match self {
+            Self::Csv(_) | Self::Ndjson(_) => false,
+            Self::Arrow(reader) => reader.holds_input(),
+        }
+    }
+
     /// Adds rows to `block`; takes what it uses off `input`. With `last` nothing comes after `input`.
     ///
     /// # Errors
@@ -50,6 +65,7 @@ impl Reader {
         match self {
             Self::Csv(reader) => reader.fill(input, last, block),
             Self::Ndjson(reader) => reader.fill(input, last, block),
+            Self::Arrow(reader) => reader.fill(input, last, block),
         }
     }
 
@@ -58,6 +74,7 @@ impl Reader {
         match self {
             Self::Csv(reader) => reader.columns(),
             Self::Ndjson(reader) => reader.columns(),
+            Self::Arrow(reader) => reader.columns(),
         }
     }
 }

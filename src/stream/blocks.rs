@@ -37,6 +37,9 @@ pub(crate) trait BlockWork: Send + 'static {
     /// The media type of the output.
     fn media_type(&self) -> &'static str;
 
+    /// Whether there are more rows without further input.
+    fn holds_input(&self) -> bool;
+
     /// Takes what makes a block off `input`. With `last` nothing comes after it.
     ///
     /// # Errors
@@ -159,16 +162,17 @@ impl<W: BlockWork> Blocks<W> {
     /// Waits for input or for the first block, whichever comes first; the block, if it was that.
     async fn wait(&mut self) -> Result<Option<Box<W::Job>>, Problem> {
         let takes = !self.has_all && self.under_way.len() < self.width;
+        let is_ready = self.work.as_ref().is_some_and(|work| work.holds_input());
         let received = match self.under_way.front_mut() {
             None if takes => {
                 // Rows that are there are not kept back for others that may come late.
                 tokio::select! {
                     biased;
-                    received = self.incoming.receive() => received,
+                    received = self.incoming.receive_unless(is_ready) => received,
                     () = std::future::ready(()) => {
                         match self.work.as_mut().and_then(|work| work.flush()) {
                             Some(job) => return { self.start(job); Ok(None) },
-                            None => self.incoming.receive().await,
+                            None => self.incoming.receive_unless(is_ready).await,
                         }
                     }
                 }
@@ -176,7 +180,7 @@ impl<W: BlockWork> Blocks<W> {
             None => return Ok(None),
             Some(UnderWay(first)) => tokio::select! {
                 biased;
-                received = self.incoming.receive(), if takes => received,
+                received = self.incoming.receive_unless(is_ready), if takes => received,
                 job = first => {
                     self.under_way.pop_front();
                     return job.map_err(|error| {

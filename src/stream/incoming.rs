@@ -30,11 +30,19 @@ impl Incoming {
     /// # Errors
     /// [`Problem::Late`], [`Problem::Idle`], and what is wrong with the body.
     pub(super) async fn receive(&mut self) -> Result<(), Problem> {
+        self.receive_unless(false).await
+    }
+
+    /// The same, without a wait for input where there is something to do.
+    ///
+    /// # Errors
+    /// As [`receive`](Self::receive).
+    pub(super) async fn receive_unless(&mut self, is_ready: bool) -> Result<(), Problem> {
         let late = Problem::Late(self.limits.stream_deadline);
         if self.deadline <= Instant::now() {
             return Err(late);
         }
-        while self.input.is_empty() && !self.last {
+        while self.input.is_empty() && !self.last && !is_ready {
             let idle = Instant::now() + self.limits.stream_idle;
             match timeout_at(idle.min(self.deadline), self.body.frame()).await {
                 Err(_) if self.deadline <= idle => return Err(late),

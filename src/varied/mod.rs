@@ -8,6 +8,6 @@ mod faults;
 mod row;
 mod template;
 
-pub(crate) use faults::{shared, varied_field};
+pub(crate) use faults::{RowFault, shared, varied_field};
 pub(crate) use row::{RowStatus, Varied, tell_invalid};
 pub(crate) use template::Template;

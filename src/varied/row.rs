@@ -39,6 +39,11 @@ pub(crate) trait Varied: Request {
     /// The columns of a row.
     fn columns(&self) -> Vec<&'static About>;
 
+    /// Why such a request gives no row, although it is right by itself.
+    fn refusal(&self) -> Option<FieldFault> {
+        None
+    }
+
     /// What so many rows of this kind cost.
     fn cost_of_rows(&self, rows: usize) -> Cost;
 

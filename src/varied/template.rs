@@ -59,16 +59,8 @@ impl<R: Request> Template<R> {
     /// # Errors
     /// The faults that the operation finds in that request, with the pointers that they have there.
     pub(crate) fn case(&mut self, values: &[f64]) -> Result<R, Vec<FieldFault>> {
-        self.case_with(values.iter().map(|value| Node::Number(*value)))
-    }
-
-    /// The same of values of any kind.
-    ///
-    /// # Errors
-    /// As [`case`](Self::case).
-    pub(crate) fn case_with(&mut self, values: impl IntoIterator<Item = Node<'static>>) -> Result<R, Vec<FieldFault>> {
         for (slot, value) in self.slots.iter().zip(values) {
-            self.tree.put(slot, value);
+            self.tree.set(slot, *value);
         }
         let Accepted { case, assumed } = accepted::<R>(&self.tree)?;
         self.assumed = assumed;

@@ -250,3 +250,61 @@ fn a_sweep_beyond_its_price_is_refused_before_the_work() {
     assert_eq!(problem["type"], "urn:terramechanics:problem:too-costly");
     assert!(problem["detail"].as_str().expect("a detail").contains("60 s is the most"), "{problem}");
 }
+
+fn rover(changes: Value) -> Value {
+    let wheel = json!({"radius_m": 0.1, "width_m": 0.06});
+    let rover = json!({"mass_kg": 20, "gravity_m_s2": 1.625, "wheels": {"count": 4, "wheel": wheel}, "soil": letter()["soil"]});
+    with(&rover, changes)
+}
+
+#[test]
+fn a_rover_over_a_grid_is_the_rover_at_each_point() {
+    let axes =
+        json!([{"field": "/wheels/wheel/radius_m", "values": [0.1, 0.15]}, {"field": "/slope_rad", "values": [0, 0.1, 1.2]}]);
+    let found = columns(&json!({"of": "vehicle", "request": rover(json!({})), "axes": axes}));
+    let mut row = 0;
+    for radius in [0.1, 0.15] {
+        for slope in [0.0, 0.1, 1.2] {
+            let body = rover(json!({"wheels": {"wheel": {"radius_m": radius}}, "slope_rad": slope}));
+            let single = post("/v1/vehicle", &body).ok();
+            for name in ["slope_rad", "slip", "needed_pull_n", "torque_n_m", "energy_per_metre_j_m", "largest_slope_rad"] {
+                assert_eq!(found[name][row], single[name], "{name} of row {row}");
+            }
+            assert_eq!(found["climbs"][row], if single["climbs"] == true { 1.0 } else { 0.0 });
+            assert_eq!(found["status"][row], if slope > 1.0 { "not_climbed" } else { "ok" });
+            row += 1;
+        }
+    }
+}
+
+#[test]
+fn stations_of_a_rover_vary_by_their_number() {
+    let station = |x: f64| json!({"x_m": x, "wheel": {"radius_m": 0.1, "width_m": 0.06}});
+    let changes = json!({"wheels": null, "stations": [station(0.3), station(-0.3)], "centre_of_mass": {"x_m": 0}});
+    let body = |field: &str| {
+        let axes = json!([{"field": field, "values": [0.05, 0.06]}]);
+        json!({"of": "vehicle", "request": rover(changes.clone()), "axes": axes})
+    };
+    let found = columns(&body("/stations/1/wheel/width_m"));
+    assert_eq!(found["stations.1.wheel.width_m"], json!([0.05, 0.06]));
+    let wide = post("/v1/vehicle", &rover(changes.clone())).ok();
+    assert_eq!(found["slip"][1], wide["slip"]);
+    assert_eq!(
+        fault(&body("/stations/2/wheel/width_m"), "/axes/0/field"),
+        "leads nowhere: `/stations` of the request is an array of 2 items"
+    );
+    let several = json!({"of": "vehicle", "request": rover(json!({"slope_rad": [0, 0.1]})), "axes": [{"field": "/mass_kg", "values": [10]}]});
+    assert!(fault(&several, "/request/slope_rad").starts_with("must be one slope here"));
+}
+
+#[test]
+fn a_value_of_a_preset_varies_by_its_name() {
+    let request = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "sinkage_m": 0.02});
+    let axes = json!([{"field": "/soil/pressure_sinkage/n0", "values": [0.91, 1.0]}, {"field": "/soil/cohesion_pa", "values": [0, 200]}]);
+    let found = columns(&json!({"of": "forces", "request": request, "axes": axes}));
+    for (row, (exponent, cohesion)) in [(0.91, 0.0), (0.91, 200.0), (1.0, 0.0), (1.0, 200.0)].into_iter().enumerate() {
+        let soil = json!({"cohesion_pa": cohesion, "pressure_sinkage": {"n0": exponent}});
+        let single = post("/v1/forces", &with(&letter(), json!({"soil": soil}))).ok();
+        assert_eq!(found["torque_n_m"][row], single["torque_n_m"], "row {row}");
+    }
+}

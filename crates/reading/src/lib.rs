@@ -67,5 +67,5 @@ pub use query::{Query, TooManyParameters};
 pub use reader::{Defaulting, Reader};
 pub use slot::{Blocked, Slot};
 pub use syntax::fault_in_words;
-pub use tagged::{Chosen, Tagged, Variant};
+pub use tagged::{Base, Chosen, Tagged, Variant};
 pub use word::{Flag, Label, Lookup, Word};

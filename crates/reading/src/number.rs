@@ -72,6 +72,12 @@ impl Number {
         Self { default: Some(default), ..self }
     }
 
+    /// Without a default.
+    #[must_use]
+    pub(crate) const fn without_default(self) -> Self {
+        Self { default: None, ..self }
+    }
+
     /// Its unit.
     #[must_use]
     pub const fn unit(&self) -> &'static str {

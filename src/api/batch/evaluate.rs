@@ -1,26 +1,25 @@
 //! The rows of a block, one after the other.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Instant;
 
-use terramechanics_reading::{Assumption, FieldFault, Node, Path};
+use terramechanics_reading::{Assumption, FieldFault, Node};
 
 use super::reply::Writer;
+use super::templates::{Templates, bits};
 use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
 use crate::quantity::PointValue;
 use crate::request::error_fault;
-use crate::rows::{Block, Columns};
+use crate::rows::{Block, Columns, Shape};
 use crate::stream::Job;
-use crate::varied::{RowStatus, Template, tell_invalid};
+use crate::varied::{RowStatus, tell_invalid};
 use crate::warning::Tally;
 
 /// Rows between two readings of the clock, which takes a good part of the time of a cheap row.
 const ROWS_PER_LOOK: usize = 16;
 
-/// Shapes of rows that are remembered, and values that are told as assumed; rows of more are read all the same.
-const MOST_SHAPES: usize = 64;
+/// Values that are told as assumed.
 const MOST_ASSUMED: usize = 100;
 
 /// Refused rows that are looked at for what all of them lack.
@@ -53,8 +52,9 @@ pub(super) struct Answers {
 /// A block under way, and what reads its rows.
 pub(super) struct Rows {
     common: Arc<Common>,
-    /// By the fields that are there.
-    templates: HashMap<u64, Template<ForcesCase>>,
+    templates: Templates,
+    /// The numbers of a row.
+    values: Vec<f64>,
     pub(super) block: Block,
     next: usize,
     pub(super) answers: Answers,
@@ -63,8 +63,8 @@ pub(super) struct Rows {
 
 impl Rows {
     pub(super) fn new(common: Arc<Common>) -> Self {
-        let (templates, block, output) = (HashMap::new(), Block::default(), Vec::new());
-        Self { common, templates, block, next: 0, answers: Answers::default(), output }
+        let (templates, values, block, output) = (Templates::default(), Vec::new(), Block::default(), Vec::new());
+        Self { common, templates, values, block, next: 0, answers: Answers::default(), output }
     }
 
     /// Makes room for another block, behind so many rows.
@@ -74,6 +74,7 @@ impl Rows {
         self.answers.faults.clear();
         self.answers.tally = Tally::behind(block.first);
         (self.block, self.next) = (block, 0);
+        self.templates.of_block.clear();
     }
 
     fn row(&mut self, row: usize) {
@@ -113,19 +114,16 @@ impl Rows {
 
     /// The case of a row: the request in which the columns have its values.
     fn case(&mut self, row: usize) -> Result<ForcesCase, Vec<FieldFault>> {
-        let present = self.block.shape(row).present;
-        let fields = || (0..self.common.columns.fields.len()).filter(|field| present >> field & 1 == 1);
-        if !self.templates.contains_key(&present) {
-            if self.templates.len() >= MOST_SHAPES {
-                self.templates.clear();
-            }
-            let paths: Vec<Path> = fields().map(|field| self.common.columns.fields[field].clone()).collect();
-            let template = Template::new(&self.common.constants, &paths)
-                .map_err(|faults| faults.into_iter().map(|of_row| of_row.fault).collect::<Vec<_>>())?;
-            self.templates.insert(present, template);
-        }
-        let Some(template) = self.templates.get_mut(&present) else { return Err(Vec::new()) };
-        let case = template.case_with(fields().map(|field| self.block.node(field, row)))?;
+        let known = self.templates.place_of(&self.block, row);
+        let at = match known {
+            Some(at) => at,
+            None => self.templates.add(&self.common, &self.block, row)?,
+        };
+        let Some(template) = self.templates.list.get_mut(at) else { return Err(Vec::new()) };
+        self.values.clear();
+        let Shape { present, textual } = self.block.shape(row);
+        self.values.extend(bits(present & !textual).map(|field| self.block.value(field, row)));
+        let case = template.case(&self.values)?;
         for assumption in template.assumed().unwrap_or_default() {
             let known = &mut self.answers.assumed;
             if known.len() < MOST_ASSUMED && !known.contains(assumption) {
@@ -163,7 +161,7 @@ impl Job for Rows {
             }
         }
         let common = self.common.clone();
-        common.writer.rows(&self.block, &self.answers, &mut self.output);
+        common.writer.rows(&self.block, &mut self.answers, &mut self.output);
         true
     }
 }

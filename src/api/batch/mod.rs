@@ -1,9 +1,12 @@
 //! `POST /v1/batch`.
 
+mod arrow;
 mod evaluate;
+mod example;
 mod reply;
 mod request;
 mod run;
+mod templates;
 
 use axum::extract::{Request, State};
 use axum::response::Response;
@@ -13,6 +16,7 @@ use crate::extract::RowsForm;
 use crate::problem::Problem;
 use crate::state::Service;
 use crate::stream;
+pub(crate) use example::example;
 use request::BatchParameters;
 use run::Batch;
 
@@ -33,13 +37,17 @@ use run::Batch;
 /// `#warning,<code>,<detail>` for each warning, with the rows that it holds for, counted from 0; and `#end,<rows>` as the last line
 /// of a whole answer. In NDJSON the last line is an object with `end`, `rows` and `warnings`. An answer without that line was cut;
 /// where the reason is known the last line is `#error,<detail>`, or an object with `error`.
+///
+/// An Arrow stream (`application/vnd.apache.arrow.stream`) has columns of numbers, of texts or of dictionaries of texts, in record
+/// batches of at most 16 MiB. Its answer has columns of Float64 with nulls and of Utf8; the last record batch of a whole answer has
+/// no rows, and its metadata have `rows`, `warnings` and `assumed`. An answer that cannot be completed breaks off, and the connection with it.
 #[utoipa::path(
     post,
     path = "/v1/batch",
     tag = "forces",
     params(BatchParameters),
-    request_body(content((String = "text/csv"), (String = "application/x-ndjson"))),
-    responses((status = 200, description = "Forces for each row", content((String = "text/csv"), (String = "application/x-ndjson"))), InvalidRows, Limits)
+    request_body(content((String = "text/csv"), (String = "application/x-ndjson"), (String = "application/vnd.apache.arrow.stream"))),
+    responses((status = 200, description = "Forces for each row", content((String = "text/csv"), (String = "application/x-ndjson"), (String = "application/vnd.apache.arrow.stream"))), InvalidRows, Limits)
 )]
 pub(crate) async fn batch(State(service): State<Service>, request: Request) -> Result<Response, Problem> {
     let form = RowsForm::of_body(request.headers())?;

@@ -50,7 +50,7 @@ pub(super) fn wanted(uri: &Uri) -> Result<Wanted, Problem> {
     }
     let constants = query.into_node().detached();
     let answered = point_columns(true).map(|(about, _)| about.name).chain([STATUS]).collect();
-    Ok(Wanted { object: ForcesCase::OBJECT, constants, echo, extra, answered })
+    Ok(Wanted { object: ForcesCase::OBJECT, constants, echo, extra, keeps_arrays: false, answered })
 }
 
 fn echo(node: Node<'_>) -> Echo {

@@ -41,6 +41,7 @@ impl Batch {
         let reader = match body {
             RowsForm::Csv => Reader::csv(wanted.clone()),
             RowsForm::Ndjson => Reader::ndjson(wanted.clone()),
+            RowsForm::Arrow => Reader::arrow(Wanted { keeps_arrays: form == RowsForm::Arrow, ..wanted.clone() }),
         };
         Self {
             reader,
@@ -62,7 +63,7 @@ impl Batch {
             let columns = self.reader.columns()?.clone();
             let answered: Vec<_> = point_columns(may_go_sideways(&self.wanted, &columns.fields)).collect();
             let names = answered.iter().map(|(about, _)| about.name);
-            let writer = Writer::new(self.form, &columns.echoed, names);
+            let writer = Writer::new(self.form, &columns, names);
             let values = answered.iter().map(|(_, value)| *value).collect();
             self.common = Some(Arc::new(Common { constants: self.wanted.constants.clone(), columns, values, writer }));
         }
@@ -85,6 +86,10 @@ impl BlockWork for Batch {
 
     fn media_type(&self) -> &'static str {
         self.form.content_type()
+    }
+
+    fn holds_input(&self) -> bool {
+        self.reader.holds_input()
     }
 
     fn take(&mut self, input: &mut Bytes, last: bool) -> Result<Taken<Rows>, Problem> {
@@ -146,7 +151,7 @@ impl BlockWork for Batch {
 
     fn broken(&self, problem: &Problem) -> Option<Bytes> {
         let mut output = Vec::new();
-        self.common.as_ref()?.writer.broken(&problem.detail(), &mut output);
-        Some(output.into())
+        let is_told = self.common.as_ref()?.writer.broken(&problem.detail(), &mut output);
+        is_told.then(|| output.into())
     }
 }

@@ -1,5 +1,6 @@
 //! `POST /v1/sweep`.
 
+mod example;
 mod found;
 mod grid;
 mod reply;
@@ -10,56 +11,39 @@ use axum::body::Body;
 use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::response::Response;
-use serde_json::{Value, json};
 
 use super::responses::{InvalidBody, Limits};
-use super::room::Room;
-use crate::answer::written;
-use crate::compute::{Cost, Pace};
+use crate::answer::json;
+use crate::compute::{Cost, Pace, Stop};
 use crate::extract::{Format, Input, SeriesForm};
 use crate::problem::Problem;
 use crate::reply::RowFormat;
 use crate::request::Accepted;
 use crate::state::Service;
 use crate::stream;
-use crate::varied::Varied;
+pub(crate) use example::example;
 use found::Running;
 use reply::GridReply;
-pub(crate) use request::GridCase;
-use request::GridRequest;
+use request::{GridCase, GridRequest};
 use stream_of_rows::Stream;
 
-impl Room for GridCase {
-    type Reply = GridReply;
-
-    fn example() -> Value {
-        json!({
-            "of": "forces",
-            "request": {
-                "wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "slip": 0.2, "normal_load_n": 80,
-                "method": "linearised"
-            },
-            "axes": [
-                {"field": "/wheel/radius_m", "from": 0.1, "to": 0.3, "points": 3},
-                {"field": "/soil/cohesion_pa", "values": [0, 200]}
-            ]
-        })
-    }
-
+impl GridCase {
     fn cost(&self) -> Cost {
         match self {
-            Self::Forces(sweep) => sweep.sample.cost_of_rows(sweep.grid.len()),
+            Self::Forces(sweep) => sweep.cost(),
+            Self::Vehicle(sweep) => sweep.cost(),
         }
     }
 
-    fn reply(&self, pace: &Pace) -> Result<GridReply, Problem> {
+    fn reply(&self, pace: &Pace) -> Result<GridReply, Stop> {
         match self {
-            Self::Forces(sweep) => Ok(GridReply::of(Running::of(sweep), pace)?),
+            Self::Forces(sweep) => GridReply::of(Running::of(sweep), pace),
+            Self::Vehicle(sweep) => GridReply::of(Running::of(sweep), pace),
         }
     }
 }
 
-/// Forces over a grid of any fields
+/// Forces, or a rover, over a grid of any fields
 ///
 /// A request is asked at every point of a grid of one to three of its numeric fields, which need not stand in it: a field of a
 /// preset varies by its name. The rows are all combinations, the last axis fastest. A row without an answer is null, `status` says
@@ -76,7 +60,7 @@ impl Room for GridCase {
     path = "/v1/sweep",
     tag = "forces",
     request_body = GridRequest,
-    responses((status = 200, description = "Forces over a grid", content((GridReply = "application/json"), (String = "text/csv"), (String = "application/x-ndjson"))), InvalidBody, Limits)
+    responses((status = 200, description = "Forces, or a rover, over a grid", content((GridReply = "application/json"), (String = "text/csv"), (String = "application/x-ndjson"))), InvalidBody, Limits)
 )]
 pub(crate) async fn sweep(
     State(service): State<Service>,
@@ -90,12 +74,13 @@ pub(crate) async fn sweep(
         SeriesForm::Ndjson => RowFormat::Ndjson,
         SeriesForm::Json => {
             case.fits_in_columns()?;
-            return service.pool().run(cost, move |pace| written(&case.reply(pace)?, Format::Json)).await;
+            return service.pool().run(cost, move |pace| json(&case.reply(pace)?)).await;
         }
     };
     let limits = *service.limits();
     let place = service.pool().stream_place_for(cost, limits.stream_deadline)?;
     match case {
-        GridCase::Forces(sweep) => stream::answer(Stream::of(&sweep, format), Body::empty(), place, &limits).await,
+        GridCase::Forces(sweep) => stream::answer(Stream::of(Running::of(&sweep), format), Body::empty(), place, &limits).await,
+        GridCase::Vehicle(sweep) => stream::answer(Stream::of(Running::of(&sweep), format), Body::empty(), place, &limits).await,
     }
 }

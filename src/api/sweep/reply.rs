@@ -9,9 +9,10 @@ use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
 use super::found::{FoundGrid, Running};
+use crate::api::vehicle::rover_columns;
 use crate::compute::{Pace, Stop};
 use crate::quantity::{Field, Values, object_of, point_columns};
-use crate::reply::{AssumedReply, Reply};
+use crate::reply::AssumedReply;
 use crate::varied::{RowStatus, Varied};
 use crate::warning::Warning;
 
@@ -85,8 +86,13 @@ impl PartialSchema for GridColumns {
         const DOC: &str = "Columns of one length: one for each axis, named by its field with a dot between an object and its field \
                            (`wheel.radius_m`); those of the operation, null where a row has no answer; and `status`. A column that an \
                            axis has already stands there once.";
-        let fields: Vec<Field> =
-            point_columns(true).map(|(about, _)| Field { present: Some("for the forces"), ..Field::or_null(about) }).collect();
+        let of_forces = point_columns(true).map(|(about, _)| about);
+        let mut fields: Vec<Field> = Vec::new();
+        for about in of_forces.chain(rover_columns()) {
+            if fields.iter().all(|known| known.about.name != about.name) {
+                fields.push(Field { present: Some("where that operation has it"), ..Field::or_null(about) });
+            }
+        }
         let statuses = RowStatus::ALL.map(RowStatus::name);
         let status = ObjectBuilder::new().schema_type(Type::String).enum_values(Some(statuses));
         let status = ArrayBuilder::new().items(status).description(Some(
@@ -105,19 +111,5 @@ impl PartialSchema for GridColumns {
 impl ToSchema for GridColumns {
     fn name() -> Cow<'static, str> {
         "GridColumns".into()
-    }
-}
-
-impl Reply for GridReply {
-    fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
-        self.columns.names.iter().cloned().zip(self.columns.columns.iter().map(Values::numbers)).collect()
-    }
-
-    fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-
-    fn warn(&mut self, warning: Warning) {
-        self.warnings.push(warning);
     }
 }

@@ -7,7 +7,6 @@ use serde::Serialize;
 
 use super::found::{FoundGrid, Running};
 use super::reply::{STATUS, names};
-use super::request::Sweep;
 use crate::compute::SLICE;
 use crate::problem::Problem;
 use crate::quantity::Cell;
@@ -28,8 +27,7 @@ pub(super) struct Stream<R> {
 }
 
 impl<R: Varied> Stream<R> {
-    pub(super) fn of(sweep: &Sweep<R>, format: RowFormat) -> Self {
-        let running = Running::of(sweep);
+    pub(super) fn of(running: Running<R>, format: RowFormat) -> Self {
         let names = names(&running).map(String::from).chain([STATUS.to_owned()]).collect();
         Self { running, format, names, has_begun: false, cells: Vec::new() }
     }

@@ -4,6 +4,7 @@ mod found;
 mod refusal;
 mod reply;
 mod request;
+mod row;
 
 use axum::extract::State;
 use axum::response::Response;
@@ -18,6 +19,7 @@ use crate::state::Service;
 use reply::VehicleReply;
 pub(crate) use request::VehicleCase;
 use request::VehicleRequest;
+pub(crate) use row::rover_columns;
 
 impl Room for VehicleCase {
     type Reply = VehicleReply;

@@ -125,7 +125,7 @@ pub(crate) struct OfSlopes;
 
 type SlopeColumns = Columns<OfSlopes>;
 
-static COLUMNS: [About; 12] = [
+pub(super) static COLUMNS: [About; 12] = [
     About::new("slope_rad", "α", "rad", "slope, positive uphill"),
     About::new("slip", "s", "1", "slip ratio of all wheels; null where no slip gives the pull, like all that follows from it"),
     About::new("climbs", "", "1", "1 where the rover climbs at a slip up to the limit, else 0"),
@@ -155,7 +155,7 @@ impl Shape for OfSlopes {
 }
 
 /// The values of a slope in the order of the columns; NaN where there is none.
-fn row(found: &FoundSlope, velocity: Option<f64>) -> [f64; COLUMNS.len()] {
+pub(super) fn row(found: &FoundSlope, velocity: Option<f64>) -> [f64; COLUMNS.len()] {
     let of = |value: &dyn Fn(&Driven) -> f64| found.on.as_ref().map_or(f64::NAN, |on| value(&on.driven));
     let velocity = velocity.unwrap_or(f64::NAN);
     let over_wheels = |driven: &Driven, value: fn(&VehicleWheel) -> f64, choose: fn(f64, f64) -> f64| {

@@ -6,6 +6,8 @@ use terramechanics_reading::{Field, FieldFault, Nested, Object, Path, Reader, Wo
 
 use super::grid::Grid;
 use crate::api::forces::ForcesCase;
+use crate::api::vehicle::VehicleCase;
+use crate::compute::Cost;
 use crate::problem::Problem;
 use crate::reply::MOST_IN_COLUMNS;
 use crate::request::{Documented, Request};
@@ -15,27 +17,39 @@ use crate::varied::{Template, Varied};
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Of {
     Forces,
+    Vehicle,
 }
 
-const OF: Field<Word<Of>> =
-    Field::required("of", "What is computed at each point: the forces, as by /v1/forces.", Word::new(&[("forces", Of::Forces)]));
+const OF: Field<Word<Of>> = Field::required(
+    "of",
+    "What is computed at each point: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.",
+    Word::new(&[("forces", Of::Forces), ("vehicle", Of::Vehicle)]),
+);
 const REQUEST: Field<Nested> = Field::required(
     "request",
     "The request that is asked at each point, as that operation takes it; a varied field may be left out.",
-    Nested { requests: &[ForcesCase::OBJECT] },
+    Nested { requests: &[ForcesCase::OBJECT, VehicleCase::OBJECT] },
 );
 
 /// A sweep, checked.
 pub(crate) enum GridCase {
     Forces(Sweep<ForcesCase>),
+    Vehicle(Sweep<VehicleCase>),
 }
 
 /// A request over a grid.
 pub(crate) struct Sweep<R> {
     pub(crate) template: Template<R>,
     pub(crate) grid: Grid,
-    /// A case of the grid, for what all have in common; none where no case was found.
+    /// A case of the grid, for what all have in common.
     pub(crate) sample: R,
+}
+
+impl<R: Varied> Sweep<R> {
+    /// What all its points cost.
+    pub(super) fn cost(&self) -> Cost {
+        self.sample.cost_of_rows(self.grid.len())
+    }
 }
 
 pub(super) type GridRequest = Documented<GridCase>;
@@ -43,13 +57,14 @@ pub(super) type GridRequest = Documented<GridCase>;
 impl Request for GridCase {
     const OBJECT: &'static Object = &Object {
         name: "SweepRequest",
-        doc: "A request for forces, asked at every point of a grid of one to three of its numeric fields.",
+        doc: "A request for forces or of a rover, asked at every point of a grid of one to three of its numeric fields.",
         groups: &[&[&OF, &REQUEST, &axes::AXES]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
         match object.required(&OF) {
             Some(Of::Forces) => sweep(object).map(Self::Forces),
+            Some(Of::Vehicle) => sweep(object).map(Self::Vehicle),
             None => {
                 let _ = object.required(&REQUEST);
                 None
@@ -62,6 +77,7 @@ impl GridCase {
     fn len(&self) -> usize {
         match self {
             Self::Forces(sweep) => sweep.grid.len(),
+            Self::Vehicle(sweep) => sweep.grid.len(),
         }
     }
 
@@ -96,6 +112,9 @@ fn sweep<R: Varied>(object: &Reader<'_>) -> Option<Sweep<R>> {
         Ok((template, sample)) => {
             if sample.is_none() {
                 object.place_of(&REQUEST).fault("makes no valid request at any corner of the grid");
+            }
+            if let Some(fault) = sample.as_ref().and_then(Varied::refusal) {
+                object.place_of(&REQUEST).pass_on(fault);
             }
             Some(Sweep { template, grid, sample: sample? })
         }
