@@ -78,6 +78,8 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
     let or_none = |field: &Field<Number>| preset.optional(object, field).map(|value| value.unwrap_or(0.0));
     let weights = Weights::read(object, &preset);
+    let weights =
+        if needs.granular_stiffness { weights.map(|weights| weights.with_assumed_density(object, &preset)) } else { weights };
     let follows = needs.granular_stiffness && weights.as_ref().is_some_and(|weights| weights.granular_stiffness.is_none());
     let cohesion = if needs.strength { value(&COHESION) } else { or_none(&COHESION) };
     let friction_angle = if needs.strength || follows { value(&FRICTION_ANGLE) } else { or_none(&FRICTION_ANGLE) };

@@ -1,7 +1,7 @@
 //! What the columns of a batch are: fields of a request, and others that its answer repeats or leaves out.
 
 use arrow_schema::DataType;
-use terramechanics_reading::{Astray, Content, FieldFault, Node, Object, Path, shortened};
+use terramechanics_reading::{FieldFault, Node, Object, Path, shortened};
 
 use crate::series::{ExtraColumns, LEAVING_OUT};
 use crate::words::{HINTS, nearest};
@@ -55,20 +55,21 @@ impl Wanted {
     pub(super) fn columns(&self, names: &[String]) -> Result<Columns, Vec<FieldFault>> {
         let mut columns = Columns::default();
         let mut faults = Vec::new();
+        let known = self.names();
         for (i, name) in names.iter().enumerate() {
             let pointer = || Path::of_dotted(name).map_or_else(String::new, |path| path.pointer());
             let mut refuse = |detail: String| faults.push(FieldFault::new(pointer(), detail));
             if names[..i].contains(name) {
                 refuse(format!("the column `{}` is there more than once", shortened(name)));
             }
-            let field = self.field(name).unwrap_or_else(|detail| {
+            let field = self.field(name, &known).unwrap_or_else(|detail| {
                 refuse(detail);
                 None
             });
             columns.field_of.push(field.as_ref().map(|_| columns.fields.len()));
             let is_known = field.is_some();
-            if let Some((path, content)) = field {
-                columns.is_number.push(is_number(&content));
+            if let Some((path, is_number)) = field {
+                columns.is_number.push(is_number);
                 columns.fields.push(path);
             }
             let is_wanted = match &self.echo {
@@ -86,21 +87,21 @@ impl Wanted {
         if faults.is_empty() { Ok(columns) } else { Err(faults) }
     }
 
-    /// The field that a column is; none of one that is not read; else what is wrong with it.
-    fn field(&self, name: &str) -> Result<Option<(Path, Content)>, String> {
-        let path = Path::of_dotted(name);
-        let found = path.map(|path| self.object.content_at(&path, &HINTS).map(|content| (path, content)));
-        match found {
-            Some(Ok((_, Content::Object(_) | Content::Tagged(_) | Content::Objects(_)))) => {
-                let within = self.names().find(|known| known.starts_with(&format!("{name}.")));
-                let such = within.map_or_else(String::new, |known| format!(", such as `{known}`"));
-                Err(format!("is an object; a column is one of its fields{such}"))
+    /// The field that a column is, and whether it is a number or may be one; none of a column that is not read; else what is wrong
+    /// with it.
+    fn field(&self, name: &str, known: &[String]) -> Result<Option<(Path, bool)>, String> {
+        let path = Path::of_dotted(name).filter(|_| known.iter().any(|known| known == name));
+        match path {
+            Some(path) if is_given(&self.constants, &path) => Err("is given in the query as well".to_owned()),
+            Some(path) => {
+                let is_number = self.object.number_at(&path, &HINTS).is_ok();
+                Ok(Some((path, is_number)))
             }
-            Some(Ok((path, _))) if is_given(&self.constants, &path) => Err("is given in the query as well".to_owned()),
-            Some(Ok(field)) => Ok(Some(field)),
-            Some(Err(_)) | None if self.is_let_through(name) => Ok(None),
-            Some(Err(Astray::Within { path, what })) => Err(format!("`{path}` is {what}, which has no fields; {LEAVING_OUT}")),
-            Some(Err(_)) | None => Err(self.unknown(name)),
+            None if self.is_let_through(name) => Ok(None),
+            None => Err(match known.iter().find(|known| known.strip_prefix(name).is_some_and(|rest| rest.starts_with('.'))) {
+                Some(within) => format!("is an object; a column is one of its fields, such as `{within}`"),
+                None => unknown(name, known),
+            }),
         }
     }
 
@@ -110,24 +111,11 @@ impl Wanted {
         is_echoed || self.extra == ExtraColumns::Ignore
     }
 
-    fn unknown(&self, name: &str) -> String {
-        let names: Vec<String> = self.names().collect();
-        let known: Vec<&str> = names.iter().map(String::as_str).collect();
-        let unit = name.rsplit_once('.').map_or(name, |(_, last)| last);
-        let hint = HINTS.unknown_field(unit, &known.iter().filter_map(|known| known.rsplit('.').next()).collect::<Vec<_>>(), &[]);
-        let meant = match nearest(name, &known) {
-            Some(near) => format!("; did you mean `{near}`?"),
-            None if hint.starts_with("known") => String::new(),
-            None => format!("; {hint}"),
-        };
-        format!("unknown column `{}`{meant}; {LEAVING_OUT}, and echo={} repeats it", shortened(name), shortened(name))
-    }
-
     /// The names that columns may have.
-    fn names(&self) -> impl Iterator<Item = String> {
+    fn names(&self) -> Vec<String> {
         let mut parameters = Vec::new();
         self.object.parameters("", &mut parameters);
-        parameters.into_iter().map(|parameter| parameter.name)
+        parameters.into_iter().map(|parameter| parameter.name).collect()
     }
 
     /// The columns that are to be repeated and are not there, or have no place beside those of the answer.
@@ -142,11 +130,19 @@ impl Wanted {
     }
 }
 
-fn is_number(content: &Content) -> bool {
-    match content {
-        Content::Number(_) | Content::OneOf(_) => true,
-        Content::Object(_) | Content::Tagged(_) | Content::Objects(_) | Content::Other(_) => false,
-    }
+/// What is said of a column that is no field.
+fn unknown(name: &str, known: &[String]) -> String {
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let last = |name: &'_ str| name.rsplit_once('.').map_or(name.len(), |(_, last)| last.len());
+    let own: Vec<&str> = known.iter().map(|known| &known[known.len() - last(known)..]).collect();
+    let hint = HINTS.unknown_field(&name[name.len() - last(name)..], &own, &[]);
+    let meant = match nearest(name, &known) {
+        Some(near) => format!("; did you mean `{near}`?"),
+        None if hint.starts_with("known") => String::new(),
+        None => format!("; {hint}"),
+    };
+    let name = shortened(name);
+    format!("unknown column `{name}`{meant}; {LEAVING_OUT}, and echo={name} repeats it")
 }
 
 /// Whether something stands under a path.

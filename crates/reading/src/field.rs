@@ -3,9 +3,10 @@
 use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
 use utoipa::openapi::{RefOr, Required, Schema};
 
-use crate::content::Content;
 use crate::fault::Scope;
 use crate::node::Node;
+use crate::number::Number;
+use crate::path::{Astray, Way};
 
 /// A field of an object, as it is declared.
 #[derive(Debug, Clone, Copy)]
@@ -64,8 +65,18 @@ pub trait Kind: Sync {
         Vec::new()
     }
 
-    /// What it holds, for those who look for the fields within.
-    fn content(&self) -> Content;
+    /// The number at the end of a way that leads here.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        Err(way.astray(self.what()))
+    }
+
+    /// What it holds, in words: of what is no number and has no fields.
+    fn what(&self) -> &'static str {
+        "a word"
+    }
 }
 
 /// A query parameter, whose meaning is said once, where readers of the document look for it.
@@ -113,8 +124,11 @@ pub trait Declared: Sync {
     /// The names of the fields of an object; none of anything else.
     fn names_within(&self) -> Vec<&'static str>;
 
-    /// What it holds, for those who look for the fields within.
-    fn content(&self) -> Content;
+    /// The number at the end of a way that leads here.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray>;
 }
 
 impl<K: Kind> Declared for Field<K> {
@@ -142,8 +156,8 @@ impl<K: Kind> Declared for Field<K> {
         self.kind.names_within()
     }
 
-    fn content(&self) -> Content {
-        self.kind.content()
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        self.kind.number_at(way)
     }
 }
 

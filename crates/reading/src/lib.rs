@@ -32,7 +32,6 @@
 //! Nothing that is sent can make it panic, and all it keeps is bounded: the depth of the tree, its fields, the faults.
 
 mod assumption;
-mod content;
 mod fault;
 mod field;
 mod hints;
@@ -44,6 +43,7 @@ mod node;
 mod number;
 mod object;
 mod one_of;
+mod path;
 mod query;
 mod reader;
 mod slot;
@@ -52,7 +52,6 @@ mod tagged;
 mod word;
 
 pub use assumption::Assumption;
-pub use content::{Astray, Content, Path};
 pub use fault::{Faults, FieldFault, Figures, Scope, unknown_word};
 pub use field::{Components, Declared, Field, Group, Kind, component_name, group};
 pub use hints::{Hints, OtherUnit, shortened};
@@ -63,6 +62,7 @@ pub use node::{Fields, Item, List, Node};
 pub use number::{Number, in_millimetres};
 pub use object::{Object, Unknown, collected, read, read_assuming};
 pub use one_of::{Alternative, Either, OneOf};
+pub use path::{Astray, Path, Way};
 pub use query::{Query, TooManyParameters};
 pub use reader::{Defaulting, Reader};
 pub use slot::{Blocked, Slot};

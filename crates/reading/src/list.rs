@@ -4,12 +4,12 @@ use utoipa::openapi::path::{Parameter, ParameterStyle};
 use utoipa::openapi::schema::ArrayBuilder;
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::content::Content;
 use crate::fault::{Figures, Scope};
 use crate::field::{Components, Kind, parameter, wrong_type};
 use crate::node::{Item, List, Node};
 use crate::number::Number;
 use crate::object::Object;
+use crate::path::{Astray, Way};
 use crate::reader::{Defaulting, Reader};
 use crate::word::Word;
 
@@ -111,8 +111,8 @@ impl Kind for Numbers {
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
 
-    fn content(&self) -> Content {
-        Content::Other("an array of numbers")
+    fn what(&self) -> &'static str {
+        "an array of numbers"
     }
 }
 
@@ -144,8 +144,8 @@ impl Kind for Bounds {
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
 
-    fn content(&self) -> Content {
-        Content::Other("an array of two bounds")
+    fn what(&self) -> &'static str {
+        "an array of two bounds"
     }
 }
 
@@ -223,8 +223,8 @@ impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
         found.push(list);
     }
 
-    fn content(&self) -> Content {
-        Content::Other("an array of words")
+    fn what(&self) -> &'static str {
+        "an array of words"
     }
 }
 
@@ -294,7 +294,11 @@ impl Kind for Objects {
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
 
-    fn content(&self) -> Content {
-        Content::Objects(self.object)
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        match way.step() {
+            None => Err(way.astray("a list of objects")),
+            Some((name, behind)) if name.parse::<usize>().is_ok() => self.object.number_within(behind),
+            Some((_, behind)) => Err(behind.not_there("a list has items, which are counted from 0".to_owned())),
+        }
     }
 }

@@ -3,7 +3,6 @@
 use utoipa::openapi::schema::OneOfBuilder;
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::content::Content;
 use crate::fault::Scope;
 use crate::field::{Components, Kind, wrong_type};
 use crate::node::Node;
@@ -35,7 +34,7 @@ impl Kind for Nested {
         self.requests.iter().for_each(|request| request.component(found));
     }
 
-    fn content(&self) -> Content {
-        Content::Other("a request")
+    fn what(&self) -> &'static str {
+        "a request"
     }
 }

@@ -5,11 +5,12 @@ use utoipa::openapi::schema::{AdditionalProperties, ObjectBuilder, Ref};
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::assumption::Assumption;
-use crate::content::Content;
 use crate::fault::{Faults, FieldFault, Scope};
 use crate::field::{Components, Declared, Field, Group, Kind, wrong_type};
 use crate::hints::{Hints, shortened};
 use crate::node::{Fields, Node, is_same};
+use crate::number::Number;
+use crate::path::{Astray, Path, Way};
 use crate::reader::Reader;
 
 /// An object, as it is declared.
@@ -108,6 +109,28 @@ impl Object {
         }
     }
 
+    /// The number that is declared under a path.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn number_at(&self, path: &Path, hints: &'static Hints) -> Result<Number, Astray> {
+        self.number_within(Way::of(path, hints))
+    }
+
+    /// The number at the end of a way that leads here.
+    pub(crate) fn number_within(&self, way: Way<'_>) -> Result<Number, Astray> {
+        let Some((name, behind)) = way.step() else {
+            return Err(Astray::NoNumber { what: format!("an object; its fields are {}", self.names().join(", ")) });
+        };
+        match self.fields().find(|field| field.name() == name) {
+            Some(field) => field.number_at(behind),
+            None => {
+                let within: Vec<_> = self.fields().map(|field| (field.name(), field.names_within())).collect();
+                Err(behind.unknown(name, &self.names(), &within))
+            }
+        }
+    }
+
     /// Its schema, which refuses fields that are not declared.
     #[must_use]
     pub fn schema(&self) -> RefOr<Schema> {
@@ -201,8 +224,8 @@ impl Kind for &'static Object {
         self.names()
     }
 
-    fn content(&self) -> Content {
-        Content::Object(self)
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        Object::number_within(self, way)
     }
 }
 

@@ -4,13 +4,13 @@ use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{ObjectBuilder, OneOfBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::content::Content;
 use crate::fault::Scope;
 use crate::field::{Components, Kind, parameter, wrong_type};
 use crate::list::Numbers;
 use crate::node::Node;
 use crate::number::Number;
 use crate::object::{Object, parameters_within};
+use crate::path::{Astray, Way};
 use crate::reader::Reader;
 use crate::word::words;
 
@@ -43,13 +43,6 @@ pub enum Alternative {
 impl Alternative {
     pub(crate) fn number(&self) -> Option<Number> {
         if let Self::Number(number) = self { Some(*number) } else { None }
-    }
-
-    pub(crate) fn object(&self) -> Option<&'static Object> {
-        match self {
-            Self::Object(object, _) | Self::Asked(object, _) => Some(object),
-            Self::Number(_) | Self::Word(..) | Self::Numbers(_) => None,
-        }
     }
 }
 
@@ -159,7 +152,16 @@ impl Kind for OneOf {
         self.objects().flat_map(|(object, _)| object.names()).collect()
     }
 
-    fn content(&self) -> Content {
-        Content::OneOf(*self)
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        match way.step() {
+            Some(_) => match self.objects().next() {
+                Some((object, _)) => object.number_within(way),
+                None => Err(way.astray("a number")),
+            },
+            None => match self.of.iter().find_map(Alternative::number) {
+                Some(number) => Ok(number),
+                None => Err(Astray::NoNumber { what: self.expected.to_owned() }),
+            },
+        }
     }
 }

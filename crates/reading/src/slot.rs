@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::content::Path;
 use crate::node::{Fields, List, Node};
+use crate::path::Path;
 
 /// Where a value stands in a tree, for good: trees do not shrink.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -64,6 +64,16 @@ impl Node<'_> {
         }
         *node = Node::Number(f64::NAN);
         Ok(Slot(slot))
+    }
+
+    /// Whether something other than null stands under these names, none of which is that of an item.
+    #[must_use]
+    pub fn has(&self, names: &[&str]) -> bool {
+        let Some((name, below)) = names.split_first() else { return !matches!(self, Self::Null) };
+        match self {
+            Self::Object(fields) => fields.iter().any(|(known, node)| known == *name && node.has(below)),
+            _ => false,
+        }
     }
 
     /// Writes a number where [`slot`](Self::slot) of this tree made room.

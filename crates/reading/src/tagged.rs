@@ -8,12 +8,12 @@ use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{AdditionalProperties, Discriminator, ObjectBuilder, OneOfBuilder};
 use utoipa::openapi::{RefOr, Schema};
 
-use crate::content::Content;
 use crate::fault::Scope;
 use crate::field::{Components, Field, Group, Kind, component_name, parameter};
 use crate::node::{Fields, Node, is_same};
 use crate::number::Number;
 use crate::object::{parameters_within, reference};
+use crate::path::{Astray, Way};
 use crate::word::words;
 use read::Tag;
 
@@ -85,17 +85,8 @@ impl Tagged {
         (self.variants)().iter().map(|variant| variant.name).collect()
     }
 
-    /// What is declared under a name in any of the forms.
-    pub(crate) fn content_of(&self, name: &str) -> Option<Content> {
-        if name == self.tag {
-            return Some(Content::Other("a word"));
-        }
-        let parameter = self.shared().into_iter().find(|shared| shared.name == name).map(|shared| Content::Number(shared.number));
-        parameter.or_else(|| self.also.iter().find(|field| field.name() == name).map(|field| field.content()))
-    }
-
     /// The tag and the parameters of all forms, each once.
-    pub(crate) fn all_names(&self) -> Vec<&'static str> {
+    fn all_names(&self) -> Vec<&'static str> {
         let also = self.also.iter().map(|field| field.name());
         std::iter::once(self.tag).chain(self.shared().into_iter().map(|shared| shared.name)).chain(also).collect()
     }
@@ -237,7 +228,17 @@ impl Kind for &'static Tagged {
         self.all_names()
     }
 
-    fn content(&self) -> Content {
-        Content::Tagged(self)
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        let Some((name, behind)) = way.step() else {
+            return Err(Astray::NoNumber { what: format!("an object; its fields are {}", self.all_names().join(", ")) });
+        };
+        if let Some(shared) = self.shared().into_iter().find(|shared| shared.name == name) {
+            return shared.number.number_at(behind);
+        }
+        match self.also.iter().find(|field| field.name() == name) {
+            Some(field) => field.number_at(behind),
+            None if name == self.tag => Err(behind.astray("a word")),
+            None => Err(behind.unknown(name, &self.all_names(), &[])),
+        }
     }
 }

@@ -3,7 +3,6 @@
 use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Ref, RefOr, Schema};
 
-use crate::content::Content;
 use crate::fault::Scope;
 use crate::fault::unknown_word;
 use crate::field::{Components, Kind, wrong_type};
@@ -65,10 +64,6 @@ impl<T: Copy + PartialEq + Sync> Kind for Word<T> {
         let default = self.default.and_then(|default| self.words.iter().find(|(_, value)| *value == default));
         words(self.names()).description(Some(meaning)).default(default.map(|(word, _)| (*word).into())).into()
     }
-
-    fn content(&self) -> Content {
-        Content::Other("a word")
-    }
 }
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Word<T> {
@@ -112,10 +107,6 @@ impl<T> Kind for Lookup<T> {
             found.push((name.to_owned(), words((self.words)()).into()));
         }
     }
-
-    fn content(&self) -> Content {
-        Content::Other("a word")
-    }
 }
 
 /// A name that a client gives: a text that stands on one line.
@@ -149,10 +140,6 @@ impl Kind for Label {
             .pattern(Some(r"^[^\u0000-\u001f\u007f-\u009f]+$"))
             .into()
     }
-
-    fn content(&self) -> Content {
-        Content::Other("a word")
-    }
 }
 
 /// True or false.
@@ -175,8 +162,8 @@ impl Kind for Flag {
         ObjectBuilder::new().schema_type(Type::Boolean).description(Some(meaning)).into()
     }
 
-    fn content(&self) -> Content {
-        Content::Other("true or false")
+    fn what(&self) -> &'static str {
+        "true or false"
     }
 }
 

@@ -1,14 +1,14 @@
 //! What a batch has beside its rows: fields that all rows have in common, and what becomes of its columns.
 
 use axum::http::Uri;
-use terramechanics_reading::{Declared, Faults, Field, FieldFault, Kind, Label, Node, Scope, Word};
+use terramechanics_reading::{Declared, Faults, Field, FieldFault, Kind, Label, Node, Path, Scope, Word};
 use utoipa::IntoParams;
 use utoipa::openapi::path::{Parameter, ParameterIn};
 
 use crate::api::forces::ForcesCase;
 use crate::extract::{parsed, taken};
 use crate::problem::Problem;
-use crate::quantity::point_columns;
+use crate::quantity::{About, PointValue, every_point_column};
 use crate::request::Request;
 use crate::rows::{Echo, Wanted};
 use crate::series::ExtraColumns;
@@ -27,7 +27,6 @@ const EXTRA_COLUMNS: Field<Word<ExtraColumns>> = Field::new(
     Word::new(&[("refuse", ExtraColumns::Refuse), ("ignore", ExtraColumns::Ignore)]).or(ExtraColumns::Refuse),
 );
 const ALL: &str = "all";
-const SLIP_ANGLE: &str = "slip_angle_rad";
 
 /// What is wanted of the columns of a batch, by its query.
 ///
@@ -49,7 +48,7 @@ pub(super) fn wanted(uri: &Uri) -> Result<Wanted, Problem> {
         return Err(Problem::Invalid(list));
     }
     let constants = query.into_node().detached();
-    let answered = point_columns(true).map(|(about, _)| about.name).chain([STATUS]).collect();
+    let answered = every_point_column().map(|(about, _)| about.name).chain([STATUS]).collect();
     Ok(Wanted { object: ForcesCase::OBJECT, constants, echo, extra, keeps_arrays: false, answered })
 }
 
@@ -64,10 +63,18 @@ fn echo(node: Node<'_>) -> Echo {
     }
 }
 
-/// Whether rows may go sideways: the answer then has the columns across the wheel.
-pub(super) fn may_go_sideways(wanted: &Wanted, fields: &[terramechanics_reading::Path]) -> bool {
-    let is_constant = matches!(&wanted.constants, Node::Object(fields) if fields.iter().any(|(name, _)| name == SLIP_ANGLE));
-    is_constant || fields.iter().any(|path| path.dotted() == SLIP_ANGLE)
+/// The columns of the answer to rows with these fields: those of operating points that a row may have.
+pub(super) fn answered(wanted: &Wanted, fields: &[Path]) -> impl Iterator<Item = (&'static About, PointValue)> {
+    let is_constant = |name: &str| matches!(&wanted.constants, Node::Object(fields) if fields.iter().any(|(known, _)| known == name));
+    let may_have = |name: &str| is_constant(name) || fields.iter().any(|path| path.dotted() == name);
+    let goes_sideways = may_have("slip_angle_rad");
+    let under_load = may_have("normal_load_n") && (may_have("sinkage_m") || may_have("static_sinkage_m"));
+    let is_there = move |value: PointValue| match value {
+        PointValue::Sideways(_) => goes_sideways,
+        PointValue::UnderLoad(_) => under_load,
+        PointValue::Asked(_) | PointValue::Found(_) | PointValue::OrNone(_) => true,
+    };
+    every_point_column().filter(move |(_, value)| is_there(*value))
 }
 
 /// The parameters of a batch for the contract: each field of the request, and what becomes of columns.

@@ -7,10 +7,9 @@ use terramechanics_reading::{Assumption, FieldFault, Path};
 
 use super::evaluate::{Answers, Common, Rows};
 use super::reply::Writer;
-use super::request::may_go_sideways;
+use super::request::answered;
 use crate::extract::RowsForm;
 use crate::problem::Problem;
-use crate::quantity::point_columns;
 use crate::reply::{AssumedReply, End};
 use crate::rows::{Block, Read, Reader, Wanted};
 use crate::stream::{BlockWork, Taken};
@@ -61,7 +60,7 @@ impl Batch {
     fn common(&mut self) -> Option<Arc<Common>> {
         if self.common.is_none() {
             let columns = self.reader.columns()?.clone();
-            let answered: Vec<_> = point_columns(may_go_sideways(&self.wanted, &columns.fields)).collect();
+            let answered: Vec<_> = answered(&self.wanted, &columns.fields).collect();
             let names = answered.iter().map(|(about, _)| about.name);
             let writer = Writer::new(self.form, &columns, names);
             let values = answered.iter().map(|(_, value)| *value).collect();

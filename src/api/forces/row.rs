@@ -27,7 +27,7 @@ impl ForcesCase {
 
 impl Varied for ForcesCase {
     fn columns(&self) -> Vec<&'static About> {
-        point_columns(self.is_sideways()).map(|(about, _)| about).collect()
+        point_columns(&self.operation, self.is_sideways()).map(|(about, _)| about).collect()
     }
 
     fn cost_of_rows(&self, rows: usize) -> Cost {
@@ -35,7 +35,7 @@ impl Varied for ForcesCase {
     }
 
     fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
-        let columns = point_columns(self.is_sideways()).map(|(_, value)| value);
+        let columns = point_columns(&self.operation, self.is_sideways()).map(|(_, value)| value);
         match self.answer(columns, tally, |number| cells.push(number)) {
             Ok(()) => RowStatus::Ok,
             Err(_) => RowStatus::NoSolution,

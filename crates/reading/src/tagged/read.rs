@@ -1,6 +1,5 @@
 //! Reading an object whose fields depend on a word.
 
-use crate::content::Content;
 use crate::fault::{Scope, unknown_word};
 use crate::field::{Field, Kind, wrong_type};
 use crate::node::{Fields, Node, is_same};
@@ -114,10 +113,6 @@ impl Kind for Tag<'_> {
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
         words(self.0.names()).description(Some(meaning)).into()
-    }
-
-    fn content(&self) -> Content {
-        Content::Other("a word")
     }
 }
 
