@@ -40,7 +40,7 @@ fn operations() -> Operations {
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))
         .room::<TowedCase>(routes!(towed::towed))
-        .room::<VehicleCase>(routes!(vehicle::vehicle))
+        .room::<VehicleCase>(routes!(vehicle::vehicle, vehicle::vehicle_of_query))
         .room::<IdentifyCase>(routes!(identify::identify))
         .room::<PlatesCase>(routes!(plates::plates))
         .room::<ShearTestsCase>(routes!(shear::shear))

@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use terramechanics::{Method, Operation, Sinkage, Vehicle};
+use terramechanics::{Drive, Method, Operation, Sinkage, Turning, Vehicle};
 
 use super::SLICE;
 
@@ -31,6 +31,12 @@ const SLIP_SEARCH: f64 = 30.0;
 
 /// How many times the cost of a load balance one in a rut has.
 const RUT: f64 = 2.0;
+
+/// Load balances that a wheel takes whose slip follows from the torque of the others.
+const SHARED_TORQUE: f64 = 12.0;
+
+/// And from a torque of its own, for which all slips are searched.
+const OWN_TORQUE: f64 = 40.0;
 
 /// What one operating point costs, in nanoseconds.
 #[derive(Debug, Clone, Copy)]
@@ -172,13 +178,18 @@ impl Cost {
     const READ: f64 = 3e3;
 
     /// The cost of a rover on so many slopes: each takes some fifteen slips, and the largest slope some hundred and fifty, with a load
-    /// balance for every station at each.
+    /// balance for every station at each, or with several where its slip follows from a torque.
     pub(crate) fn of_vehicle(vehicle: &Vehicle, slopes: usize) -> Self {
         let params = vehicle.params();
         let [_, loaded, _] = Point::by_method(params.model.method);
         let in_rut = if params.unloading.is_some() { RUT } else { 1.0 };
         let slips = 15.0 * slopes as f64 + 150.0;
-        let usual = slips * params.stations.len() as f64 * in_rut * loaded.usual + slopes as f64 * Point::ROW;
+        let balances = params.stations.iter().map(|station| match (station.turning, params.drive) {
+            (Turning::UnderTorque(_), _) => OWN_TORQUE,
+            (Turning::Together, Drive::EqualTorque) => SHARED_TORQUE,
+            (Turning::Together, Drive::OneSlip) | (Turning::AtSlip(_), _) => 1.0,
+        });
+        let usual = slips * balances.sum::<f64>() * in_rut * loaded.usual + slopes as f64 * Point::ROW;
         Self { usual, price: ALLOWANCE + 3.0 * usual }
     }
 

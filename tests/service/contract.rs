@@ -327,6 +327,7 @@ fn rover(body: &Value, pointer: &str) -> Value {
     let body = with(&with(body, Value::Object(alone.into_iter().collect())), json!({"mass_kg": 20, "slope_rad": slope}));
     let wheels = match pointer.split('/').nth(1) {
         Some("stations") => json!({"stations": stations}),
+        Some("hitch_height_m") => json!({"stations": stations, "centre_of_mass": {"x_m": 0}}),
         Some("centre_of_mass") => json!({"stations": stations, "centre_of_mass": {"x_m": 0}}),
         Some("unloading") => json!({"stations": stations, "rut": true, "unloading": {}}),
         _ => json!({"wheels": {"count": 4, "wheel": wheel}}),

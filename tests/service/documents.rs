@@ -133,6 +133,7 @@ fn the_document_has_the_routes_of_the_api() {
         "get /v1/stress-profile",
         "get /v1/validation",
         "get /v1/validation/{id}",
+        "get /v1/vehicle",
         "get /v1/wheels",
         "get /v1/wheels/{id}",
         "post /v1/compare",

@@ -44,6 +44,7 @@ mod sweep;
 mod towed;
 mod track;
 mod track_cells;
+mod track_from_torque;
 mod track_stream;
 mod validation;
 mod validation_inputs;

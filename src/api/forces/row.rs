@@ -29,7 +29,7 @@ impl ForcesCase {
 
 impl Varied for ForcesCase {
     fn columns(&self) -> Vec<&'static About> {
-        point_columns(self.is_sideways()).map(|(about, _)| about).collect()
+        point_columns(&self.operation, self.is_sideways()).map(|(about, _)| about).collect()
     }
 
     fn cost_of_rows(&self, rows: usize) -> Cost {
@@ -46,7 +46,7 @@ impl Varied for ForcesCase {
 
     fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
         let Self { operation, .. } = self;
-        let columns = point_columns(self.is_sideways());
+        let columns = point_columns(&self.operation, self.is_sideways());
         let (motion, point) = match self.point() {
             Ok(found) => found,
             Err(error) => {

@@ -11,7 +11,7 @@ use utoipa::{PartialSchema, ToSchema};
 use super::found::{FoundGrid, Running};
 use crate::api::vehicle::rover_columns;
 use crate::compute::{Pace, Stop};
-use crate::quantity::{Field, Values, object_of, point_columns};
+use crate::quantity::{Field, Values, every_point_column, object_of};
 use crate::reply::AssumedReply;
 use crate::varied::{RowStatus, Varied};
 use crate::warning::Warning;
@@ -86,7 +86,7 @@ impl PartialSchema for GridColumns {
         const DOC: &str = "Columns of one length: one for each axis, named by its field with a dot between an object and its field \
                            (`wheel.radius_m`); those of the operation, null where a row has no answer; and `status`. A column that an \
                            axis has already stands there once.";
-        let of_forces = point_columns(true).map(|(about, _)| about);
+        let of_forces = every_point_column().map(|(about, _)| about);
         let mut fields: Vec<Field> = Vec::new();
         for about in of_forces.chain(rover_columns()) {
             if fields.iter().all(|known| known.about.name != about.name) {

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use axum::body::Bytes;
-use terramechanics::{Sample, Tracker};
+use terramechanics::{NormalStressFrom, Sample, Tracker};
 use terramechanics_identification::RunningStrength;
 
 use super::found::FoundTrack;
@@ -86,7 +86,8 @@ impl Run {
         let Some(layout) = layout else { return Ok(()) };
         let plan = self.settings.plan(layout).map_err(Problem::Invalid)?;
         let strength = self.settings.strength;
-        let beside = Beside { coupled: plan.is_coupled(), strength: strength.is_some() };
+        let under_load = self.settings.has_soil && plan.normal_stress_from() == NormalStressFrom::Load;
+        let beside = Beside { coupled: plan.is_coupled(), under_load, strength: strength.is_some() };
         let sink = match self.form {
             SeriesForm::Json => Sink::Columns(SampleLists::with(beside, rows)),
             SeriesForm::Csv => Sink::Rows(Table::new(RowFormat::Csv, beside)),

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::found::FoundTrack;
-use super::reply::EventReply;
+use super::reply::{EventReply, HeadReply};
 use crate::quantity::{Beside, Cell, Digits, Row, SampleCells, line};
 use crate::reply::{AssumedReply, RowFormat, comment, object};
 use crate::warning::Warning;
@@ -40,10 +40,15 @@ impl Table {
     }
 
     /// The lines after the last row of a whole answer.
-    pub(crate) fn end(&self, FoundTrack { rows, events, warnings, assumed, .. }: &FoundTrack, out: &mut Vec<u8>) {
+    pub(crate) fn end(&self, found: &FoundTrack, out: &mut Vec<u8>) {
+        let FoundTrack { rows, events, warnings, assumed, .. } = found;
+        let head = HeadReply::of(found);
         let events: Vec<EventReply> = events.iter().map(EventReply::from).collect();
         match self.format {
             RowFormat::Csv => {
+                for (name, word) in head.named() {
+                    comment(&["setting", name, word], out);
+                }
                 for warning in warnings {
                     comment(&["warning", warning.code(), &warning.detail()], out);
                 }
@@ -57,7 +62,7 @@ impl Table {
             }
             RowFormat::Ndjson => {
                 let assumed = assumed.clone().map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
-                object(&Last { end: true, rows: *rows, warnings, events: &events, assumed }, out);
+                object(&Last { end: true, rows: *rows, head, warnings, events: &events, assumed }, out);
             }
         }
     }
@@ -68,6 +73,8 @@ impl Table {
 struct Last<'a> {
     end: bool,
     rows: u64,
+    #[serde(flatten)]
+    head: HeadReply,
     warnings: &'a [Warning],
     events: &'a [EventReply],
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -57,7 +57,7 @@ impl Unloading {
 
     /// A_u.
     pub const GAIN: Parameter = Parameter {
-        name: "a_u",
+        name: "a_u_n_m4",
         symbol: "A_u",
         unit: "N/m4",
         meaning: "Gain of the stiffness of unloading with the depth, k_u = k_0 + A_u z_u; measured from 2310e6 to 3746e6.",

@@ -56,7 +56,7 @@ impl Vehicle {
     /// comes nearest where no slip from −1 to 1 gives the pull; [`VehicleError::Wheel`] where a wheel has no answer at any slip.
     pub fn on_slope(&self, slope: f64, hitch_pull: f64) -> Result<OnSlope, VehicleError> {
         let hitch_pull = Self::HITCH_PULL.check(hitch_pull).map_err(VehicleError::Invalid)?;
-        let loads = self.loads(slope)?;
+        let loads = self.loads(slope, hitch_pull)?;
         let needed = self.needed_pull(slope, hitch_pull);
         let mut refusal = None;
         let found = slip_of_pull(|slip| self.pull(slip, &loads, &mut refusal), needed, (-1.0, 1.0));
@@ -141,7 +141,7 @@ impl Vehicle {
 
     /// The slope with the largest pull at slips from 0 to the limit, less the pull that is needed there.
     fn spare_pull(&self, slope: f64, hitch_pull: f64, slip_limit: f64) -> Trial {
-        let loads = self.loads(slope)?;
+        let loads = self.loads(slope, hitch_pull)?;
         let mut refusal = None;
         let largest = largest_pull(|slip| self.pull(slip, &loads, &mut refusal), slip_limit);
         let largest = largest.map_err(|error| refusal.unwrap_or(VehicleError::Wheel { station: 0, error }))?;
