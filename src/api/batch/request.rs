@@ -65,7 +65,8 @@ fn echo(node: Node<'_>) -> Echo {
 
 /// The columns of the answer to rows with these fields: those of operating points that a row may have.
 pub(super) fn answered(wanted: &Wanted, fields: &[Path]) -> impl Iterator<Item = (&'static About, PointValue)> {
-    let is_constant = |name: &str| matches!(&wanted.constants, Node::Object(fields) if fields.iter().any(|(known, _)| known == name));
+    let is_constant =
+        |name: &str| matches!(&wanted.constants, Node::Object(fields) if fields.iter().any(|(known, _)| known == name));
     let may_have = |name: &str| is_constant(name) || fields.iter().any(|path| path.dotted() == name);
     let goes_sideways = may_have("slip_angle_rad");
     let under_load = may_have("normal_load_n") && (may_have("sinkage_m") || may_have("static_sinkage_m"));
