@@ -19,6 +19,9 @@ use cells::{column_of, echo_of, is_taken, is_text, largest_dictionary};
 /// Largest record batch, with the dictionaries before it (bytes).
 const LARGEST_BATCH: usize = 16 << 20;
 
+/// Most rows of a record batch: some columns take no bytes.
+const MOST_ROWS: usize = 1 << 20;
+
 /// Most columns.
 const MOST_COLUMNS: usize = 256;
 
@@ -117,6 +120,9 @@ impl ArrowRows {
             self.columns = Some(Arc::new(self.columns_of(&schema)?));
         }
         if let Some(batch) = batch {
+            if batch.num_rows() > MOST_ROWS {
+                return Err(fault(&format!("a record batch may have at most {MOST_ROWS} rows")));
+            }
             self.undecoded = 0;
             self.current = Some((batch, 0)).filter(|(batch, _)| batch.num_rows() > 0);
         }

@@ -157,7 +157,7 @@ fn a_bad_row_is_null_and_says_why_in_the_words_of_forces() {
     let refused = post("/v1/forces", &with(&preset, json!({"soil": {"cohesion_pa": 0}, "slip": 0.1, "normal_load_n": 1e12})));
     let refused = refused.problem(422)["errors"][0]["detail"].as_str().expect("a detail").to_owned();
     assert!(status(6).starts_with("no_solution: ") && status(6).ends_with(&refused), "{} {refused}", status(6));
-    assert!(comments.iter().any(|comment| comment.starts_with("#warning,invalid_row,At row 1: ")), "{comments:?}");
+    assert!(comments.iter().any(|comment| comment.starts_with("#warning,invalid_row,At rows 1 and 4: ")), "{comments:?}");
     assert_eq!(comments.last().map(String::as_str), Some("#end,8"));
 }
 

@@ -11,6 +11,7 @@ use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
 use crate::quantity::PointValue;
 use crate::request::error_fault;
+use crate::request::pull::SlipFrom;
 use crate::rows::{Block, Columns, Shape};
 use crate::stream::Job;
 use crate::varied::{RowStatus, tell_invalid};
@@ -57,6 +58,8 @@ pub(super) struct Rows {
     values: Vec<f64>,
     pub(super) block: Block,
     next: usize,
+    /// Whether the row before may have taken long.
+    is_costly: bool,
     pub(super) answers: Answers,
     pub(super) output: Vec<u8>,
 }
@@ -64,7 +67,7 @@ pub(super) struct Rows {
 impl Rows {
     pub(super) fn new(common: Arc<Common>) -> Self {
         let (templates, values, block, output) = (Templates::default(), Vec::new(), Block::default(), Vec::new());
-        Self { common, templates, values, block, next: 0, answers: Answers::default(), output }
+        Self { common, templates, values, block, next: 0, is_costly: false, answers: Answers::default(), output }
     }
 
     /// Makes room for another block, behind so many rows.
@@ -74,7 +77,7 @@ impl Rows {
         self.answers.faults.clear();
         self.answers.tally = Tally::behind(block.first);
         (self.block, self.next) = (block, 0);
-        self.templates.of_block.clear();
+        self.templates.begin();
     }
 
     fn row(&mut self, row: usize) {
@@ -88,6 +91,7 @@ impl Rows {
         let fault = match case {
             Ok(case) => {
                 *has_case = true;
+                self.is_costly = !case.operation.model.method.is_closed_form() || matches!(case.slip, SlipFrom::Pull(_));
                 let mut columns = numbers.iter_mut();
                 let put = |number| columns.next().into_iter().for_each(|column| column.push(number));
                 match case.answer(values.iter().copied(), tally, put) {
@@ -156,7 +160,7 @@ impl Job for Rows {
         while self.next < self.block.rows() {
             self.row(self.next);
             self.next += 1;
-            if self.next % ROWS_PER_LOOK == 0 && Instant::now() >= slice_end {
+            if (self.is_costly || self.next.is_multiple_of(ROWS_PER_LOOK)) && Instant::now() >= slice_end {
                 return false;
             }
         }

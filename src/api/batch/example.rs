@@ -10,10 +10,10 @@ use crate::contract::{Example, replies_of_texts};
 use crate::extract::RowsForm;
 use crate::stream::{BlockWork, Job, Taken};
 
-const ROWS: &str = "soil.preset,soil.cohesion_pa,slip,normal_load_n\n\
-                    letter-sand,,0.1,80\n\
-                    letter-sand,500,0.2,80\n\
-                    letter-sand,-5,0.2,80\n";
+const ROWS: &str = "wheel.preset,soil.preset,soil.cohesion_pa,slip,normal_load_n\n\
+                    letter,letter-sand,,0.1,80\n\
+                    letter,letter-sand,500,0.2,80\n\
+                    letter,letter-sand,-5,0.2,80\n";
 
 pub(crate) fn example() -> Example {
     let (table, objects) = (answer(RowsForm::Csv), answer(RowsForm::Ndjson));
@@ -21,9 +21,9 @@ pub(crate) fn example() -> Example {
     Example { request: Some(ROWS.into()), replies: replies.collect() }
 }
 
-/// The answer to the example, for the parameters that the contract does not show.
+/// The answer to the example.
 fn answer(form: RowsForm) -> String {
-    let query = Uri::from_static("/v1/batch?wheel.preset=letter&method=explicit");
+    let query = Uri::from_static("/v1/batch");
     let Ok(wanted) = wanted(&query) else { return String::new() };
     let (mut batch, mut input, mut output) =
         (Batch::new(wanted, RowsForm::Csv, form), Bytes::from_static(ROWS.as_bytes()), Vec::new());

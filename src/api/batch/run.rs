@@ -132,7 +132,12 @@ impl BlockWork for Batch {
             }
         }
         rows.answers.refused.clear();
-        output.append(&mut rows.output);
+        if output.is_empty() {
+            let room = rows.output.len();
+            output = std::mem::replace(&mut rows.output, Vec::with_capacity(room));
+        } else {
+            output.append(&mut rows.output);
+        }
         self.spare.push(rows);
         Ok(output.into())
     }

@@ -19,8 +19,10 @@ pub(super) struct Templates {
     /// Their places by fields and words.
     places: HashMap<String, usize>,
     /// The same by the places of the words in the block under way.
-    pub(super) of_block: HashMap<Vec<u64>, usize>,
+    of_block: HashMap<Vec<u64>, usize>,
     key: Vec<u64>,
+    /// The last row without words, and its template: most rows are like the one before.
+    last: Option<(Shape, usize)>,
 }
 
 /// The places of the bits that are set.
@@ -36,12 +38,24 @@ impl Templates {
     /// The place of the template for a row, if there is one.
     #[inline]
     pub(super) fn place_of(&mut self, block: &Block, row: usize) -> Option<usize> {
-        let Shape { present, textual } = block.shape(row);
+        let shape = block.shape(row);
+        if let Some((_, at)) = self.last.filter(|(known, _)| *known == shape) {
+            return Some(at);
+        }
+        let Shape { present, textual } = shape;
         self.key.clear();
         self.key.push(present);
         self.key.push(textual);
         self.key.extend(bits(textual).map(|field| block.value(field, row) as u64));
-        self.of_block.get(&self.key).copied()
+        let found = self.of_block.get(&self.key).copied();
+        self.last = found.filter(|_| textual == 0).map(|at| (shape, at));
+        found
+    }
+
+    /// Another block begins, whose words have other places.
+    pub(super) fn begin(&mut self) {
+        self.of_block.clear();
+        self.last = None;
     }
 
     /// Adds the template for the row that was looked up last; its place.
@@ -71,7 +85,7 @@ impl Templates {
                 if self.list.len() >= MOST {
                     self.list.clear();
                     self.places.clear();
-                    self.of_block.clear();
+                    self.begin();
                 }
                 self.list.push(template);
                 self.places.insert(name, self.list.len() - 1);
