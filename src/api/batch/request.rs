@@ -4,6 +4,7 @@ use axum::http::Uri;
 use terramechanics_reading::{Declared, Faults, Field, FieldFault, Kind, Label, Node, Path, Scope, Word};
 use utoipa::IntoParams;
 use utoipa::openapi::path::{Parameter, ParameterIn};
+use utoipa::openapi::schema::{ObjectBuilder, Type};
 
 use crate::api::forces::ForcesCase;
 use crate::extract::{parsed, taken};
@@ -85,6 +86,9 @@ impl IntoParams for BatchParameters {
     fn into_params(_: impl Fn() -> Option<ParameterIn>) -> Vec<Parameter> {
         let mut found = Vec::new();
         ECHO.parameters("", &mut found);
+        // A list of names, which has no bounds but those of the columns.
+        let list = ObjectBuilder::new().schema_type(Type::String).build();
+        found.iter_mut().for_each(|parameter| parameter.schema = Some(list.clone().into()));
         EXTRA_COLUMNS.parameters("", &mut found);
         ForcesCase::OBJECT.parameters("", &mut found);
         // Every field may be a column.
