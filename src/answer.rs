@@ -26,7 +26,7 @@ use crate::reply::Reply;
 const PIECE: usize = 64 << 10;
 
 /// Room that an answer is begun with (bytes): enough for most.
-const FIRST: usize = 1 << 10;
+const FIRST: usize = 2 << 10;
 
 /// A reply in the format that was asked for.
 pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, Problem> {

@@ -16,6 +16,7 @@ pub mod config;
 mod contract;
 mod docs;
 mod extract;
+mod fixed;
 mod http1;
 mod limits;
 pub mod log;

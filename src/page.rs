@@ -1,15 +1,18 @@
 //! The plotting page, embedded in the binary.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::{LazyLock, OnceLock};
 
 use axum::Router;
 use axum::body::Bytes;
-use axum::http::header::{CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, IF_NONE_MATCH, REFERRER_POLICY};
-use axum::http::{HeaderMap, HeaderValue, StatusCode};
+use axum::http::header::{CONTENT_SECURITY_POLICY, REFERRER_POLICY};
+use axum::http::{HeaderMap, HeaderValue};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use rust_embed::{Embed, EmbeddedFile};
 
+use crate::fixed::Fixed;
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::state::Service;
@@ -31,28 +34,35 @@ pub(crate) fn routes() -> Router<Service> {
         .route("/favicon.ico", get(|headers: HeaderMap| async move { file("icon.svg", &headers) }))
 }
 
-fn file(name: &str, request: &HeaderMap) -> Result<Response, Problem> {
-    let EmbeddedFile { data, metadata } =
-        Files::get(name).ok_or_else(|| Problem::NotFound(format!("no such file: {}", shortened(name))))?;
-    let hash: String = metadata.sha256_hash()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
-    let tag = HeaderValue::from_str(&format!("\"{hash}\"")).map_err(|_| Problem::Internal)?;
-    let headers = [
-        (ETAG, tag.clone()),
-        // Asked for anew each time, answered in full only when it has changed: a new version is seen at once.
-        (CACHE_CONTROL, HeaderValue::from_static("no-cache")),
-        (CONTENT_TYPE, HeaderValue::from_static(content_type(name))),
-        (CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY)),
-        (REFERRER_POLICY, HeaderValue::from_static("no-referrer")),
-    ];
-    let known = request.get(IF_NONE_MATCH).and_then(|value| value.to_str().ok()).unwrap_or("");
-    if known.split(',').any(|known| known.trim().trim_start_matches("W/").as_bytes() == tag.as_bytes()) {
-        return Ok((StatusCode::NOT_MODIFIED, headers).into_response());
-    }
+/// A file of the page.
+///
+/// # Errors
+/// [`Problem::NotFound`] for another name.
+pub(crate) fn file(name: &str, request: &HeaderMap) -> Result<Response, Problem> {
+    /// Each is packed when it is first asked for.
+    static FIXED: LazyLock<HashMap<Cow<'static, str>, OnceLock<Fixed>>> =
+        LazyLock::new(|| Files::iter().map(|name| (name, OnceLock::new())).collect());
+    let not_found = || Problem::NotFound(format!("no such file: {}", shortened(name)));
+    let fixed = FIXED.get(name).ok_or_else(not_found)?;
+    let fixed = match fixed.get() {
+        Some(fixed) => fixed,
+        None => {
+            let file = Files::get(name).ok_or_else(not_found)?;
+            fixed.get_or_init(|| fixed_file(name, file))
+        }
+    };
+    let policies =
+        [(CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY)), (REFERRER_POLICY, HeaderValue::from_static("no-referrer"))];
+    Ok((policies, fixed.answer(request)).into_response())
+}
+
+fn fixed_file(name: &str, EmbeddedFile { data, metadata }: EmbeddedFile) -> Fixed {
+    let version: String = metadata.sha256_hash()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
     let bytes = match data {
         Cow::Borrowed(bytes) => Bytes::from_static(bytes),
         Cow::Owned(bytes) => bytes.into(),
     };
-    Ok((headers, bytes).into_response())
+    Fixed::new(bytes, &version, content_type(name))
 }
 
 fn content_type(name: &str) -> &'static str {

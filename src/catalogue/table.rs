@@ -3,7 +3,7 @@
 use terramechanics::{AngleRatio, Law, PeakRule, PressureSinkage, ShearLaw};
 
 use super::record::{SOIL_FIELDS, SoilRecord, Values, WHEEL_FIELDS, WheelRecord};
-use crate::quantity::{Cell, Digits, line};
+use crate::quantity::{Cell, line};
 
 /// Values of a wheel that are no part of a request.
 const WHEEL_FACTS: [&str; 2] = ["lug_count", "nominal_load_n"];
@@ -16,8 +16,8 @@ fn number<'a>(values: Option<&Values>, name: &str) -> Cell<'a> {
 /// A table: its header, then a line for each of `rows`.
 fn table<'a>(names: impl IntoIterator<Item = &'a str>, rows: impl Iterator<Item = Vec<Cell<'a>>>) -> Vec<u8> {
     let mut out = Vec::new();
-    line(names.into_iter().map(Cell::Word), Digits::Plain, &mut out);
-    rows.for_each(|cells| line(cells, Digits::Plain, &mut out));
+    line(names.into_iter().map(Cell::Word), &mut out);
+    rows.for_each(|cells| line(cells, &mut out));
     out
 }
 

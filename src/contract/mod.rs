@@ -6,11 +6,13 @@ mod paths;
 mod shared;
 
 use std::fmt;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, OnceLock};
 
 use axum::Extension;
 use axum::body::Bytes;
 use axum::extract::State;
+use axum::http::HeaderMap;
 use axum::response::Response;
 use utoipa::OpenApi;
 use utoipa::openapi::OpenApi as Document;
@@ -25,6 +27,7 @@ use crate::answer::json_text;
 use crate::api::responses::{InvalidQuery, Limits};
 use crate::compute::{Cost, Pace};
 use crate::extract::AskedOnly;
+use crate::fixed::Fixed;
 use crate::problem::Problem;
 use crate::quantity;
 use crate::request::Documented;
@@ -63,6 +66,7 @@ pub struct Contract {
     shown: OnceLock<Vec<Shown>>,
     known: OnceLock<Vec<Known>>,
     text: OnceLock<Bytes>,
+    fixed: OnceLock<Fixed>,
 }
 
 impl fmt::Debug for Contract {
@@ -100,6 +104,16 @@ impl Contract {
     #[must_use]
     pub fn pretty_text(&self) -> String {
         self.document().to_pretty_json().unwrap_or_default() + "\n"
+    }
+
+    /// The text as it is sent.
+    fn fixed(&self) -> &Fixed {
+        self.fixed.get_or_init(|| {
+            let text = self.text().clone();
+            let mut hash = DefaultHasher::new();
+            text.hash(&mut hash);
+            Fixed::new(text, &format!("{:016x}", hash.finish()), "application/json")
+        })
     }
 
     /// The operations of these tags alone.
@@ -142,11 +156,15 @@ pub(crate) fn route(contract: &Arc<Contract>) -> OpenApiRouter<Service> {
 async fn openapi(
     State(service): State<Service>,
     Extension(contract): Extension<Arc<Contract>>,
+    headers: HeaderMap,
     AskedOnly(ContractCase(tags)): AskedOnly<ContractCase>,
 ) -> Result<Response, Problem> {
-    let cost = if contract.text.get().is_some() && tags.is_none() { Cost::NONE } else { Cost::of_contract() };
-    let text = move |_: &Pace| Ok(json_text(tags.map_or_else(|| contract.text().clone(), |tags| contract.part(&tags))));
-    service.pool().run(cost, text).await
+    if let (None, Some(fixed)) = (&tags, contract.fixed.get()) {
+        return Ok(fixed.answer(&headers));
+    }
+    let answer =
+        move |_: &Pace| Ok(tags.map_or_else(|| contract.fixed().answer(&headers), |tags| json_text(contract.part(&tags))));
+    service.pool().run(Cost::of_contract(), answer).await
 }
 
 type ContractQuery = Documented<ContractCase>;

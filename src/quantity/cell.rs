@@ -13,33 +13,19 @@ pub(crate) enum Cell<'a> {
     Nothing,
 }
 
-/// How a number is written. Both forms are the shortest that parse to the same number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Digits {
-    /// As JSON has it, with an exponent below 1e-5.
-    Json,
-    /// With an exponent below 1e-4.
-    Plain,
-}
-
-impl Digits {
-    fn write(self, value: f64, out: &mut Vec<u8>) {
-        // Writing to memory cannot fail.
-        let _ = match self {
-            Self::Json => serde_json::to_writer(out, &value).map_err(Into::into),
-            Self::Plain => write!(out, "{value:?}"),
-        };
-    }
+/// Writes a number in the fewest digits that parse to the same number, as the JSON of the service has it.
+fn number(value: f64, out: &mut Vec<u8>) {
+    out.extend_from_slice(zmij::Buffer::new().format_finite(value).as_bytes());
 }
 
 /// A line of a CSV; an empty cell for no number.
-pub(crate) fn line<'a>(cells: impl IntoIterator<Item = Cell<'a>>, digits: Digits, out: &mut Vec<u8>) {
+pub(crate) fn line<'a>(cells: impl IntoIterator<Item = Cell<'a>>, out: &mut Vec<u8>) {
     for (i, cell) in cells.into_iter().enumerate() {
         if i > 0 {
             out.push(b',');
         }
         match cell {
-            Cell::Number(value) if value.is_finite() => digits.write(value, out),
+            Cell::Number(value) if value.is_finite() => number(value, out),
             Cell::Number(_) | Cell::Nothing => {}
             Cell::Word(word) => out.extend_from_slice(quoted(word).as_bytes()),
             Cell::Literal(text) => out.extend_from_slice(text.as_bytes()),
@@ -65,7 +51,7 @@ pub(crate) fn ndjson_line<'a>(cells: impl IntoIterator<Item = (&'a str, Cell<'a>
         out.extend_from_slice(name.as_bytes());
         out.extend_from_slice(b"\":");
         match cell {
-            Cell::Number(value) if value.is_finite() => Digits::Json.write(value, out),
+            Cell::Number(value) if value.is_finite() => number(value, out),
             Cell::Number(_) | Cell::Nothing => out.extend_from_slice(b"null"),
             Cell::Literal(text) => out.extend_from_slice(text.as_bytes()),
             // Writing to memory cannot fail.
@@ -83,11 +69,11 @@ pub(crate) fn ndjson_line<'a>(cells: impl IntoIterator<Item = (&'a str, Cell<'a>
 pub(crate) fn write_table(columns: &[(Cow<'static, str>, &[f64])], out: &mut impl Write) -> io::Result<()> {
     let rows = columns.first().map_or(0, |(_, column)| column.len());
     let mut text = Vec::new();
-    line(columns.iter().map(|(name, _)| Cell::Word(name)), Digits::Plain, &mut text);
+    line(columns.iter().map(|(name, _)| Cell::Word(name)), &mut text);
     out.write_all(&text)?;
     for row in 0..rows {
         text.clear();
-        line(columns.iter().map(|(_, column)| Cell::Number(column[row])), Digits::Plain, &mut text);
+        line(columns.iter().map(|(_, column)| Cell::Number(column[row])), &mut text);
         out.write_all(&text)?;
     }
     Ok(())
@@ -129,12 +115,11 @@ mod tests {
     }
 
     #[test]
-    fn both_forms_of_a_number_are_the_same_number() {
-        for value in [1.5e-5, 0.1 + 0.2, 1e16, 123_456_789_012_345_680.0, -5e-324, f64::MAX, 1e-4] {
-            for digits in [Digits::Json, Digits::Plain] {
-                let cell = text(|out| line([Cell::Number(value)], digits, out));
-                assert_eq!(cell.trim_end().parse::<f64>().map(f64::to_bits), Ok(value.to_bits()), "{cell}");
-            }
+    fn a_number_is_the_one_that_was_meant_in_the_words_of_json() {
+        for value in [1.5e-5, 0.1 + 0.2, 1e16, 123_456_789_012_345_680.0, -5e-324, f64::MAX, 1e-4, 5e-5, -0.0, 1.0] {
+            let cell = text(|out| line([Cell::Number(value)], out));
+            assert_eq!(cell.trim_end().parse::<f64>().map(f64::to_bits), Ok(value.to_bits()), "{cell}");
+            assert_eq!(cell.trim_end(), serde_json::to_string(&value).expect("JSON"));
         }
     }
 }

@@ -13,7 +13,7 @@ mod schema;
 mod table;
 mod unit;
 
-pub(crate) use cell::{Cell, Digits, csv, line, ndjson_line, write_table};
+pub(crate) use cell::{Cell, csv, line, ndjson_line, write_table};
 pub(crate) use columns::{Columns, Shape, Values};
 pub(crate) use number::number;
 pub(crate) use point::{OfPoint, Part, Point, PointValue};

@@ -1,6 +1,6 @@
 //! The quantities of samples as rows and as columns.
 
-use super::cell::{Cell, Digits, line, ndjson_line};
+use super::cell::{Cell, line, ndjson_line};
 use super::columns::{Columns, Shape, Values};
 use super::sample::{Beside, Row, SampleValue};
 use super::schema::Field;
@@ -22,12 +22,12 @@ impl SampleCells {
 
     /// The header of a CSV.
     pub(crate) fn header(&self, out: &mut Vec<u8>) {
-        line(self.0.iter().map(|(about, _)| Cell::Word(about.name)), Digits::Json, out);
+        line(self.0.iter().map(|(about, _)| Cell::Word(about.name)), out);
     }
 
     /// A line of a CSV.
     pub(crate) fn csv(&self, row: &Row<'_>, out: &mut Vec<u8>) {
-        line(self.0.iter().map(|(_, value)| value.cell(row)), Digits::Json, out);
+        line(self.0.iter().map(|(_, value)| value.cell(row)), out);
     }
 
     /// A line of JSON.

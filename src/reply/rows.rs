@@ -5,7 +5,7 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::assuming::AssumedReply;
-use crate::quantity::{Cell, Digits, line, ndjson_line};
+use crate::quantity::{Cell, line, ndjson_line};
 use crate::warning::Warning;
 
 /// A format that is written row by row.
@@ -21,14 +21,14 @@ impl RowFormat {
     /// What stands before the first row.
     pub(crate) fn head<'a>(self, names: impl IntoIterator<Item = &'a str>, out: &mut Vec<u8>) {
         if self == Self::Csv {
-            line(names.into_iter().map(Cell::Word), Digits::Json, out);
+            line(names.into_iter().map(Cell::Word), out);
         }
     }
 
     /// A row.
     pub(crate) fn row<'a>(self, cells: impl IntoIterator<Item = (&'a str, Cell<'a>)>, out: &mut Vec<u8>) {
         match self {
-            Self::Csv => line(cells.into_iter().map(|(_, cell)| cell), Digits::Json, out),
+            Self::Csv => line(cells.into_iter().map(|(_, cell)| cell), out),
             Self::Ndjson => ndjson_line(cells, out),
         }
     }

@@ -36,8 +36,7 @@ pub(super) fn capitalised(text: &str) -> String {
     if !is_word {
         return text.to_owned();
     }
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    text[..1].to_ascii_uppercase() + &text[1..]
 }
 
 /// The text as it continues after a colon.

@@ -1,7 +1,7 @@
 // Requests as commands of a shell.
 
 /** @param {string} text */
-const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
+export const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
 
 /**
  * @param {string} path

@@ -1,6 +1,9 @@
 //! Asking the service and reading its answers.
 
+use std::io::Read;
+
 use axum::body::{Body, to_bytes};
+use axum::http::response::Parts;
 use axum::http::{HeaderMap, Request, StatusCode};
 use serde_json::{Value, json};
 use terramechanics_server::{Limits, Service, app};
@@ -76,11 +79,23 @@ pub(crate) fn send(request: Request<Body>) -> Answer {
 }
 
 pub(crate) fn send_to(service: Service, request: Request<Body>) -> Answer {
+    let (parts, bytes) = parts_of(service, request);
+    Answer { status: parts.status, headers: parts.headers, text: String::from_utf8(bytes).expect("text") }
+}
+
+/// An answer whose body was packed.
+pub(crate) fn send_unpacking(request: Request<Body>) -> (Answer, usize) {
+    let (parts, bytes) = parts_of(Service::new(Limits::default()), request);
+    let mut text = String::new();
+    flate2::read::GzDecoder::new(bytes.as_slice()).read_to_string(&mut text).expect("gzip");
+    (Answer { status: parts.status, headers: parts.headers, text }, bytes.len())
+}
+
+fn parts_of(service: Service, request: Request<Body>) -> (Parts, Vec<u8>) {
     runtime().block_on(async {
         let response = app(service).oneshot(request).await.expect("the service always answers");
         let (parts, body) = response.into_parts();
-        let bytes = to_bytes(body, usize::MAX).await.expect("a body");
-        Answer { status: parts.status, headers: parts.headers, text: String::from_utf8(bytes.to_vec()).expect("text") }
+        (parts, to_bytes(body, usize::MAX).await.expect("a body").to_vec())
     })
 }
 

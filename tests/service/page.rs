@@ -2,7 +2,7 @@
 
 use axum::body::Body;
 
-use crate::asking::{get, request, send};
+use crate::asking::{get, request, send, send_unpacking};
 
 #[test]
 fn the_page_has_a_strict_policy() {
@@ -17,10 +17,18 @@ fn the_page_has_a_strict_policy() {
     assert_eq!(page.header("x-content-type-options"), "nosniff");
 }
 
-/// Every file that the page and its modules name is there, of the right type, and nothing comes from elsewhere.
 #[test]
 fn every_file_the_page_names_is_served() {
-    let mut to_read = vec!["/".to_owned()];
+    let read = every_file_from("/");
+    assert!(
+        read.iter().filter(|path| path.ends_with(".js")).count() >= 5 && read.iter().any(|path| path.ends_with(".css")),
+        "{read:?}"
+    );
+}
+
+/// The files that a page and its modules name: each is there, of the right type, and nothing comes from elsewhere.
+fn every_file_from(page: &str) -> Vec<String> {
+    let mut to_read = vec![page.to_owned()];
     let mut read: Vec<String> = Vec::new();
     while let Some(path) = to_read.pop() {
         if read.contains(&path) {
@@ -44,10 +52,7 @@ fn every_file_the_page_names_is_served() {
         }
         read.push(path);
     }
-    assert!(
-        read.iter().filter(|path| path.ends_with(".js")).count() >= 5 && read.iter().any(|path| path.ends_with(".css")),
-        "{read:?}"
-    );
+    read
 }
 
 /// The path of a module that another one in `folder` imports.
@@ -73,13 +78,30 @@ fn a_file_that_has_not_changed_is_not_sent_again() {
 }
 
 #[test]
-fn the_explorer_is_served_from_the_binary() {
+fn what_stays_the_same_is_packed_for_those_who_take_it() {
+    for path in ["/static/styles/base.css", "/docs", "/openapi.json"] {
+        let plain = get(path);
+        let (packed, sent) = send_unpacking(request("GET", path, &[("accept-encoding", "br;q=0, gzip")], Body::empty()));
+        assert_eq!((packed.status.as_u16(), packed.header("content-encoding")), (200, "gzip"), "{path}");
+        assert_eq!((plain.header("content-encoding"), plain.header("vary")), ("", "accept-encoding"));
+        assert!(packed.text == plain.text && sent < 3 * plain.text.len() / 4, "{path}: {sent} of {}", plain.text.len());
+        // Two forms of one text are told apart by their tags, and each is known again by its own.
+        let tags = [plain.header("etag"), packed.header("etag")];
+        assert!(tags[0] != tags[1] && tags.iter().all(|tag| tag.starts_with('"') && tag.len() > 10), "{tags:?}");
+        for (tag, coding) in tags.into_iter().zip(["identity", "gzip"]) {
+            let headers = [("if-none-match", tag), ("accept-encoding", coding)];
+            let again = send(request("GET", path, &headers, Body::empty()));
+            assert_eq!((again.status.as_u16(), again.text.as_str()), (304, ""), "{path} {coding}");
+            assert_eq!(again.header("etag"), tag);
+        }
+    }
+}
+
+#[test]
+fn the_explorer_is_a_page_like_the_other() {
     let page = get("/docs");
     assert_eq!(page.status, 200);
-    for name in page.text.split('"').filter(|part| part.ends_with(".js") || part.ends_with(".css")) {
-        let path = format!("/docs/{}", name.trim_start_matches("./"));
-        assert_eq!(get(&path).status, 200, "{path}");
-    }
-    let script = get("/docs/swagger-initializer.js").text;
-    assert!(script.contains("/openapi.json") && script.contains("none"), "{script}");
+    assert_eq!(page.header("content-security-policy"), get("/").header("content-security-policy"));
+    assert!(every_file_from("/docs").iter().any(|path| path.ends_with(".js")));
+    assert_eq!(get("/docs/").header("location"), "/docs");
 }

@@ -52,11 +52,12 @@ impl Hints {
             return None;
         }
         let resemblance = |candidate: &str| {
-            // A part of a name (`radius` for `radius_m`) is as good a hint as a typo.
             let part = candidate.len() >= SHORTEST && (candidate.contains(&word) || word.contains(candidate));
-            let is_typo = strsim::damerau_levenshtein(&word, candidate) <= (length / 3).max(1);
-            let share = strsim::normalized_damerau_levenshtein(&word, candidate) + if part { 0.5 } else { 0.0 };
-            (part || is_typo).then_some(share)
+            let typos = strsim::damerau_levenshtein(&word, candidate);
+            // A part of a name (`radius` for `radius_m`) is as good a hint as a single typo.
+            let bonus = if part || typos <= 1 { 0.5 } else { 0.0 };
+            let share = strsim::normalized_damerau_levenshtein(&word, candidate) + bonus;
+            (part || typos <= (length / 3).max(1)).then_some(share)
         };
         let candidates = known.iter().copied().filter_map(|candidate| Some((resemblance(candidate)?, candidate)));
         candidates.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, candidate)| candidate)

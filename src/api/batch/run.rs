@@ -28,7 +28,7 @@ pub(super) struct Batch {
     /// Rows that were read.
     rows: u64,
     /// What blocks need, to be used again.
-    spare: Vec<Box<Rows>>,
+    spare: Vec<Rows>,
     /// Whether the answer has begun.
     has_begun: bool,
     tally: Tally,
@@ -107,7 +107,7 @@ impl BlockWork for Batch {
             return None;
         }
         let common = self.common()?;
-        let mut rows = self.spare.pop().unwrap_or_else(|| Box::new(Rows::new(common)));
+        let mut rows = Box::new(self.spare.pop().unwrap_or_else(|| Rows::new(common)));
         let mut next = std::mem::take(&mut rows.block);
         self.rows += self.block.rows() as u64;
         next.clear(self.rows);
@@ -138,7 +138,7 @@ impl BlockWork for Batch {
         } else {
             output.append(&mut rows.output);
         }
-        self.spare.push(rows);
+        self.spare.push(*rows);
         Ok(output.into())
     }
 

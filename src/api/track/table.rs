@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::found::FoundTrack;
 use super::reply::{EventReply, HeadReply};
-use crate::quantity::{Beside, Cell, Digits, Row, SampleCells, line};
+use crate::quantity::{Beside, Cell, Row, SampleCells, line};
 use crate::reply::{AssumedReply, RowFormat, comment, object};
 use crate::warning::Warning;
 
@@ -54,7 +54,7 @@ impl Table {
                 }
                 for EventReply { code, row, from_s, to_s } in &events {
                     let mut times = Vec::new();
-                    line([Cell::Number(*from_s), Cell::Number(*to_s)], Digits::Json, &mut times);
+                    line([Cell::Number(*from_s), Cell::Number(*to_s)], &mut times);
                     let times = String::from_utf8(times).unwrap_or_default();
                     comment(&["event", code, &row.to_string(), times.trim_end()], out);
                 }

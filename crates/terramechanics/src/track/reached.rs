@@ -54,7 +54,7 @@ impl Tracker {
                 positive(Channel::NormalLoad, load)?;
             }
         }
-        let found = if self.has_soil { self.on_soil(sample, motion)? } else { self.from_torque(sample, motion)? };
+        let found = if self.has_soil { self.on_soil(sample, motion)? } else { self.by_torque(sample, motion)? };
         let forces = found.forces.heading(motion.heading);
         let (wheel, circle) = (&self.operation.system.wheel, self.operation.system.contact.circles().slip);
         let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
@@ -94,7 +94,7 @@ impl Tracker {
     }
 
     /// The forces of the linear stresses that the torque and the load show, without a soil.
-    fn from_torque(&self, sample: &Sample, motion: Motion) -> Result<Found, Refused> {
+    fn by_torque(&self, sample: &Sample, motion: Motion) -> Result<Found, Refused> {
         let Sinkage::UnderLoad { sinkage, .. } = sample.sinkage else { return Err(Refused::missing(Channel::NormalLoad)) };
         let Some(measured) = sample.measured else { return Err(Refused::missing(Channel::Torque)) };
         present(Channel::Torque, measured.torque)?;
