@@ -24,7 +24,7 @@ use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::towed::{self, TowedCase};
 use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
-use crate::api::{catalogue, health, limits, model, sweep, track, validation};
+use crate::api::{batch, catalogue, health, limits, model, sweep, track, validation};
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
 use crate::state::Service;
@@ -49,6 +49,7 @@ fn operations() -> Operations {
         .room::<PlatesCase>(routes!(plates::plates))
         .room::<ShearTestsCase>(routes!(shear::shear))
         .shown(routes!(track::track), track::example)
+        .shown(routes!(batch::batch), batch::example)
         .shown(routes!(catalogue::wheels), catalogue::example_of_wheels)
         .shown(routes!(catalogue::wheel), catalogue::example_of_wheel)
         .shown(routes!(catalogue::soils), catalogue::example_of_soils)

@@ -126,6 +126,7 @@ def before_load_schema(context, raw_schema):
     track = raw_schema["paths"]["/v1/track"]["post"]
     del track["parameters"]
     track["requestBody"]["content"] = {"application/json": track["requestBody"]["content"]["application/json"]}
+    del raw_schema["paths"]["/v1/batch"]
     for operations in raw_schema["paths"].values():
         asked = [with_its_content(raw_schema, parameter) for parameter in operations.get("get", {}).get("parameters", [])]
         if any("." in parameter["name"] for parameter in asked):

@@ -3,6 +3,7 @@
 //!
 //! A new endpoint is a room here, a row in [`crate::router`] and a test.
 
+pub(crate) mod batch;
 pub(crate) mod catalogue;
 pub(crate) mod compare;
 pub(crate) mod coupled;

@@ -13,7 +13,7 @@ mod row;
 mod setter;
 mod template;
 
-pub(crate) use faults::varied_field;
+pub(crate) use faults::{RowFault, shared, varied_field};
 pub(crate) use row::{RowStatus, Varied, tell_invalid};
 pub(crate) use setter::{IsSent, Part, Setter, names};
 pub(crate) use template::Template;

@@ -126,7 +126,10 @@ findings! { many;
     "invalid_row" InvalidRow { pointer: String, detail: String }
     means "The values of some rows make no request that could be computed: which rows, and what is wrong with the first."
     field pointer.as_str(),
-    says format!("the values make no request{}: `{pointer}` {detail}.", if many { ". That of the first" } else { "" }),
+    says {
+        let place = if pointer.is_empty() { String::new() } else { format!("`{pointer}` ") };
+        format!("the values make no request{}: {place}{detail}.", if many { ". That of the first" } else { "" })
+    },
     advises "Leave these values out.";
 
     "truncated_distribution" TruncatedDistribution { pointer: String, field: String, share: f64, bounds: Bounds }

@@ -136,6 +136,7 @@ fn the_document_has_the_routes_of_the_api() {
         "get /v1/vehicle",
         "get /v1/wheels",
         "get /v1/wheels/{id}",
+        "post /v1/batch",
         "post /v1/compare",
         "post /v1/coupled",
         "post /v1/forces",

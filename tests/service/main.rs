@@ -2,6 +2,9 @@
 
 mod asking;
 mod assume;
+mod batch;
+mod batch_arrow;
+mod batch_stream;
 mod braking;
 mod catalogue;
 mod circles;

@@ -42,7 +42,7 @@ pub(crate) struct Sweep<R> {
     pub(crate) template: Template<R>,
     pub(crate) grid: Grid,
     /// A case of the grid, for what all have in common.
-    pub(crate) sample: R,
+    pub(crate) sample: Box<R>,
 }
 
 impl<R: Varied> Sweep<R> {
@@ -116,7 +116,7 @@ fn sweep<R: Varied>(object: &Reader<'_>) -> Option<Sweep<R>> {
             if let Some(fault) = sample.as_ref().and_then(Varied::refusal) {
                 object.place_of(&REQUEST).pass_on(fault);
             }
-            Some(Sweep { template, grid, sample: sample? })
+            Some(Sweep { template, grid, sample: Box::new(sample?) })
         }
         Err(faults) => {
             for fault in faults {
