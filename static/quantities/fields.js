@@ -4,7 +4,7 @@ import { roundStep, roundedUp } from "../numbers/steps.js";
 import { asField, noteAt } from "./declared.js";
 import { LAW_FIELDS } from "./law-fields.js";
 import { ROVER_FIELDS } from "./rover-fields.js";
-import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
+import { DEGREE, MILLIMETRE, NEWTON, NEWTON_METRE, ONE, PERCENT } from "./units.js";
 
 /** @import { CatalogueLaw, CatalogueSoil, CatalogueSubstitute, CatalogueWheel } from "../api/types.js" */
 /** @import { Dress } from "./declared.js" */
@@ -101,6 +101,8 @@ const OPERATION = [
     base: () => 0.01, slider: sinkageRange },
   { group: "slip_angle", key: "beta_deg", name: "slip_angle", pointer: "/slip_angle_rad", label: "Slip angle", symbol: "β", unit: DEGREE, signed: true,
     base: () => 0, slider: range(-45, 45, 0.5) },
+  { group: "further", key: "torque_nm", name: "measured_torque", pointer: "/torque_n_m", label: "Measured torque", symbol: "T", unit: NEWTON_METRE, signed: true,
+    base: () => undefined, blank: "none" },
 ];
 
 /**
