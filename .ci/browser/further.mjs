@@ -37,7 +37,8 @@ check("towing, resistances and pull from torque are asked for under the load of 
   const own = estimates.warnings.map(({ code }) => code);
   const before = await said(page);
   assert.deepEqual(await warned(page, "resistances"), own.filter((code) => !before.includes(code)));
-  assert.ok(own.length > 0, "the letter's sand has no unit weight, of which the service warns");
+  assert.ok(own.includes("needs_unit_weight"), `${own}`);
+  assert.match(await page.innerText('[data-further="resistances"] .warnings'), /bulldozing resistance needs the unit weight/);
   assert.equal((await shown(page, "coupled")).longitudinal_force_n.value, null);
   assert.match(await page.innerText('[data-further="coupled"]'), /Type the measured torque/);
 
@@ -52,6 +53,16 @@ check("towing, resistances and pull from torque are asked for under the load of 
   await ready(page);
   await assertBlock(page, "coupled", pull);
   assert.equal(new URLSearchParams(new URL(page.url()).search).get("further"), "1");
+});
+
+check("with a unit weight there is a bulldozing resistance", async (page) => {
+  await open(page, "?further=1&by=load&load_n=100");
+  await box(page, "soil_unit_weight").fill("15");
+  await page.waitForURL(/gamma_soil_kn_m3=15/);
+  await ready(page);
+  const estimates = await ask("/v1/resistances", { wheel: WHEEL, soil: { ...SOIL, unit_weight_n_m3: 15_000 }, normal_load_n: 100, slip: 0.2 });
+  assert.ok(estimates.bulldozing_resistance_n > 0);
+  await assertBlock(page, "resistances", estimates);
 });
 
 check("a sinkage brings the load, and a contact of its own goes into the pull", async (page) => {

@@ -28,7 +28,7 @@ import { createFieldRow } from "./field-row.js";
  */
 const SECTIONS = {
   wheel: { fields: ["wheel"], choices: [] },
-  strength: { fields: ["strength", "grains", ...groupsOf(SHEAR)], choices: ["shear"] },
+  strength: { fields: ["strength", "unit_weight", "grains", ...groupsOf(SHEAR)], choices: ["shear"] },
   pressure: { fields: groupsOf(PRESSURE_SINKAGE), choices: ["law"] },
   options: { fields: [...groupsOf(CONTACT), ...groupsOf(EXIT), "interface", "explicit"], choices: ["rule", "exit", "normal_stress_radius", "slip_radius", "shear_displacement_radius", "peak_sinkage"] },
 };

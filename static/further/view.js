@@ -9,7 +9,7 @@ import { fieldAt } from "../quantities/fields.js";
 import { QUANTITIES, quantity } from "../quantities/results.js";
 import { showWarnings } from "../results/warnings.js";
 import { faultSentence } from "../wording/faults.js";
-import { resultWarning } from "../wording/warnings.js";
+import { furtherWarning } from "../wording/further.js";
 
 /** @import { Warning } from "../api/types.js" */
 /** @import { FurtherOutcome } from "../rounds/further.js" */
@@ -97,7 +97,7 @@ export function createFurtherView(section) {
     tell(find(element, ".figure-note"), note);
     tell(find(element, ".fault"), (outcome?.problem?.faults ?? []).map((fault) => faultSentence(fault, fieldAt(fault.pointer)?.label ?? null)).join(" "));
     const warnings = /** @type {Warning[]} */ (values.warnings ?? []);
-    showWarnings(find(element, ".warnings"), warnings.filter(({ code }) => ![...said, ...SAID].includes(code)).map(resultWarning));
+    showWarnings(find(element, ".warnings"), warnings.filter(({ code }) => ![...said, ...SAID].includes(code)).map(furtherWarning));
   }
 
   return {

@@ -121,6 +121,7 @@ const PARAMETERS = [
   ofSoil("friction_angle_rad", { key: "phi_deg", name: "friction_angle", slider: [0, 60, 0.5] }),
   ofSoil("bulk_density_kg_m3", { key: "rho_kg_m3", name: "bulk_density", slider: [800, 2200, 5] }, "grains"),
   ofSoil("gravity_m_s2", { key: "g_m_s2", name: "gravity", slider: [0.1, 10, 0.01], blank: "9.80665" }, "grains"),
+  ofSoil("unit_weight_n_m3", { key: "gamma_soil_kn_m3", name: "soil_unit_weight", blank: "not given" }, "unit_weight"),
   ofSoil("granular_stiffness_n_m3", { key: "xi_kn_m3", name: "granular_stiffness", blank: "from ρ" }, "grains"),
 ];
 

@@ -26,9 +26,6 @@ const TILES = [
 ];
 const WHEEL_COLUMNS = /** @type {const} */ (["slip", "normal_load_n", "sinkage_m", "rut_depth_m", "longitudinal_force_n", "torque_n_m", "energy_per_metre_j_m", "power_w"]);
 
-/** What wheels that are alike have in common with the rover. @type {string[]} */
-const OF_ITS_OWN = ["rut_depth_m", "slip"];
-
 /** @param {VehicleOnSlope} rover */
 function verdict({ climbs, slip, drive, slope_rad: slope, largest_slope_rad: largest, gravity_m_s2: gravity }) {
   const most = typeof largest === "number" ? ` The largest slope that it climbs is ${slopeText(largest)}.` : "";
@@ -45,7 +42,9 @@ function verdict({ climbs, slip, drive, slope_rad: slope, largest_slope_rad: lar
  */
 function wheelTable({ wheels, slip, drive, loads_from: from }) {
   const isAlike = from === "equal" && wheels.every((wheel) => wheel.rut_depth_m === 0 && wheel.slip === slip);
-  const columns = WHEEL_COLUMNS.filter((name) => wheels.some((wheel) => typeof wheel[name] === "number" && !(isAlike && OF_ITS_OWN.includes(name))));
+  /** A column in which every wheel has this says nothing. @type {Record<string, number | null | undefined>} */
+  const usual = { slip, rut_depth_m: 0 };
+  const columns = WHEEL_COLUMNS.filter((name) => wheels.some((wheel) => typeof wheel[name] === "number" && wheel[name] !== usual[name]));
   const rows = (isAlike ? wheels.slice(0, 1) : wheels).map((wheel, index) => {
     const place = typeof wheel.x_m === "number" && !isAlike ? ` at ${quantity("x_m", wheel.x_m)}` : "";
     return html("tr", { "data-wheel": index },

@@ -122,7 +122,7 @@ function readFields(state, context) {
  */
 function soilOf(state, context, { isTouched, overrides, complete }) {
   /** @type {Values & { shear?: Values, pressure_sinkage?: Values }} */
-  const soil = { preset: state.soil, ...overrides("strength", "grains", ...groupsAt("/soil")) };
+  const soil = { preset: state.soil, ...overrides("strength", "unit_weight", "grains", ...groupsAt("/soil")) };
   if (state.shear !== null || isTouched(...SHEAR_GROUPS)) soil.shear = { law: context.shearLaw, ...complete(...SHEAR_GROUPS) };
   // Spelling out a preset's incomplete law lets the API name the moduli that are missing. Under a known load some methods need none.
   const isIncomplete = context.soil?.missing.includes("pressure_sinkage") && !isLoadBeside(state) && state.assume === "";
