@@ -21,6 +21,7 @@ use crate::api::resistances::{self, ResistancesCase};
 use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::towed::{self, TowedCase};
+use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
 use crate::api::{catalogue, health, limits, model, sweep, track, validation};
 use crate::contract::{self, Contract};
@@ -36,6 +37,7 @@ fn operations() -> Operations {
         .room::<ProfileCase>(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .shown(routes!(sweep::sweep), sweep::example)
+        .room::<UncertaintyCase>(routes!(uncertainty::uncertainty))
         .room::<CompareCase>(routes!(compare::compare))
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))

@@ -104,11 +104,19 @@ def before_load_schema(context, raw_schema):
     measurements(schemas)
     exits(schemas)
     schemas["CoupledRequest"] = coupled(schemas["CoupledRequest"])
+    schemas["UncertaintyRequest"] = uncertain(schemas["UncertaintyRequest"])
     within_a_request(schemas)
 
     # What the schema here no longer has would keep the example from being sent.
     compared = raw_schema["paths"]["/v1/compare"]["post"]["requestBody"]["content"]["application/json"]
     del compared["example"]["variants"]
+    uncertain_body = raw_schema["paths"]["/v1/uncertainty"]["post"]["requestBody"]["content"]["application/json"]
+    uncertain_body["example"] |= {
+        "inputs": [{"field": "/soil/cohesion_pa", "distribution": "uniform", "low": 0, "high": 2e4}],
+        "conditions": [],
+        "sensitivity": False,
+        "sensitivity_of": "torque_n_m",
+    }
 
     # Without a schema of their own, tables and lines of objects would be any text; tests of the service have them.
     track = raw_schema["paths"]["/v1/track"]["post"]
@@ -177,6 +185,41 @@ def exits(schemas):
     for name in [reference["$ref"].rpartition("/")[2] for reference in schemas["Contact"]["oneOf"]]:
         contact = schemas[name]
         schemas[name] = one_of([requiring(contact, [], without=["exit"]), requiring(contact, ["exit"], without=["c3"])])
+
+
+def uncertain(schema):
+    """Forces with two fields that every soil has, within their bounds; what else may be uncertain, tests of the service have.
+
+    Without sensitivities, so that the price of no request is refused.
+    """
+    schema = requiring(schema, ["inputs"])
+    fields = schema["properties"]
+    for name in ("correlation", "axis"):
+        del fields[name]
+    fields["of"]["enum"] = ["forces"]
+    fields["request"] = {"$ref": "#/components/schemas/ForcesRequest"}
+    fields["samples"]["maximum"] = 300
+    fields["sensitivity"]["enum"] = [False]
+    schema["required"] += ["samples", "sensitivity"]
+    fields["sensitivity_of"] = {"enum": ["torque_n_m"]}
+    within = [("/soil/cohesion_pa", 0, 1e4, 1e5), ("/soil/friction_angle_rad", 0.1, 0.4, 1.2)]
+    fields["inputs"]["items"] = one_of(between(*ends) for ends in within)
+    fields["inputs"]["minItems"], fields["inputs"]["maxItems"] = 1, 2
+    number = {"type": "number"}
+    condition = {"quantity": {"enum": ["torque_n_m", "normal_force_n"]}}
+    fields["conditions"]["items"] = one_of(closed({**condition, side: number}) for side in ("below", "above"))
+    return schema
+
+
+def between(field, low, middle, high):
+    """A field that is uniform between a number below the middle and one above it."""
+    below, above = {"type": "number", "minimum": low, "maximum": middle}, {"type": "number", "exclusiveMinimum": middle, "maximum": high}
+    return closed({"field": {"enum": [field]}, "distribution": {"enum": ["uniform"]}, "low": below, "high": above})
+
+
+def closed(fields):
+    """An object that has these fields and no others."""
+    return {"type": "object", "properties": fields, "required": list(fields), "additionalProperties": False}
 
 
 def coupled(schema):

@@ -21,5 +21,6 @@ pub(crate) mod stress_profile;
 pub(crate) mod sweep;
 pub(crate) mod towed;
 pub(crate) mod track;
+pub(crate) mod uncertainty;
 pub(crate) mod validation;
 pub(crate) mod vehicle;

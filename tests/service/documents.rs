@@ -148,6 +148,7 @@ fn the_document_has_the_routes_of_the_api() {
         "post /v1/sweep",
         "post /v1/towed",
         "post /v1/track",
+        "post /v1/uncertainty",
         "post /v1/vehicle",
     ];
     assert_eq!(routes, expected.map(str::to_owned).into());

@@ -1,14 +1,16 @@
 //! An operating point as a row among many.
 
 use terramechanics::{Method, Motion, Outcome, cautions};
+use terramechanics_reading::Path;
 
+use super::direct;
 use super::request::ForcesCase;
 use crate::catalogue;
 use crate::compute::Cost;
 use crate::quantity::{About, Point, point_columns};
 use crate::request::error_pointer;
 use crate::request::pull::SlipFrom;
-use crate::varied::{RowStatus, Varied};
+use crate::varied::{IsSent, RowStatus, Setter, Varied};
 use crate::warning::{Finding, Tally, no_solution};
 
 impl ForcesCase {
@@ -32,6 +34,14 @@ impl Varied for ForcesCase {
 
     fn cost_of_rows(&self, rows: usize) -> Cost {
         Cost::of_rows(&self.operation, matches!(self.slip, SlipFrom::Pull(_)), rows)
+    }
+
+    fn setters(&self, paths: &[Path], is_sent: IsSent<'_>) -> Option<Vec<Setter>> {
+        direct::setters(self, paths, is_sent)
+    }
+
+    fn with_numbers(&self, setters: &[Setter], values: &[f64]) -> Option<Self> {
+        direct::with_numbers(self, setters, values)
     }
 
     fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {

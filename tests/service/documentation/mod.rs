@@ -7,6 +7,7 @@ mod links;
 mod methods;
 mod operations;
 mod readme;
+mod uncertainty;
 mod validation;
 
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! The request of `/v1/sweep`.
 
-pub(super) mod axes;
+pub(in crate::api) mod axes;
 
 use terramechanics_reading::{Field, FieldFault, Nested, Object, Path, Reader, Word};
 
