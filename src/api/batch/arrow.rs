@@ -9,8 +9,7 @@ use arrow_ipc::{KeyValue, KeyValueArgs, MessageBuilder, MessageHeader, RecordBat
 use arrow_schema::{DataType, Field, Schema};
 use flatbuffers::FlatBufferBuilder;
 
-use super::evaluate::Answers;
-use super::reply::OK;
+use super::answers::{Answers, OK};
 use crate::reply::End;
 use crate::rows::{Block, Columns, EchoedCell};
 

@@ -3,16 +3,17 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use terramechanics_reading::{Assumption, FieldFault, Node};
+use terramechanics_reading::FieldFault;
 
-use super::reply::Writer;
+use super::answers::Answers;
+use super::plan::Plan;
 use super::templates::{Templates, bits};
 use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
 use crate::quantity::PointValue;
 use crate::request::error_fault;
 use crate::request::pull::SlipFrom;
-use crate::rows::{Block, Columns, Shape};
+use crate::rows::{Block, Shape};
 use crate::stream::Job;
 use crate::varied::{RowStatus, tell_invalid};
 use crate::warning::Tally;
@@ -26,33 +27,9 @@ const MOST_ASSUMED: usize = 100;
 /// Refused rows that are looked at for what all of them lack.
 const MOST_REFUSED: usize = 50;
 
-/// What the rows of a batch have in common.
-pub(super) struct Common {
-    pub(super) constants: Node<'static>,
-    pub(super) columns: Arc<Columns>,
-    /// The columns of the answer.
-    pub(super) values: Vec<PointValue>,
-    pub(super) writer: Writer,
-}
-
-/// What the rows of a block gave.
-#[derive(Debug, Default)]
-pub(super) struct Answers {
-    /// By column of the answer, then by row; NaN where there is no number.
-    pub(super) numbers: Vec<Vec<f64>>,
-    /// Of each row, in words what was wrong with it, if something was.
-    pub(super) faults: Vec<Option<Box<str>>>,
-    pub(super) tally: Tally,
-    pub(super) assumed: Vec<Assumption>,
-    /// Whether a row made a case.
-    pub(super) has_case: bool,
-    /// The faults of the first rows that have all columns, as long as none made a case.
-    pub(super) refused: Vec<Vec<FieldFault>>,
-}
-
 /// A block under way, and what reads its rows.
 pub(super) struct Rows {
-    common: Arc<Common>,
+    plan: Arc<Plan>,
     templates: Templates,
     /// The numbers of a row.
     values: Vec<f64>,
@@ -65,14 +42,14 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn new(common: Arc<Common>) -> Self {
+    pub(super) fn new(plan: Arc<Plan>) -> Self {
         let (templates, values, block, output) = (Templates::default(), Vec::new(), Block::default(), Vec::new());
-        Self { common, templates, values, block, next: 0, is_costly: false, answers: Answers::default(), output }
+        Self { plan, templates, values, block, next: 0, is_costly: false, answers: Answers::default(), output }
     }
 
     /// Makes room for another block, behind so many rows.
     pub(super) fn begin(&mut self, block: Block) {
-        self.answers.numbers.resize_with(self.common.values.len(), Vec::new);
+        self.answers.numbers.resize_with(self.plan.values.len(), Vec::new);
         self.answers.numbers.iter_mut().for_each(Vec::clear);
         self.answers.faults.clear();
         self.answers.tally = Tally::behind(block.first);
@@ -86,7 +63,7 @@ impl Rows {
             Some(fault) => Err(vec![FieldFault::new("", fault)]),
             None => self.case(row),
         };
-        let Common { values, .. } = &*self.common;
+        let Plan { values, .. } = &*self.plan;
         let Answers { numbers, faults, tally, has_case, refused, .. } = &mut self.answers;
         let fault = match case {
             Ok(case) => {
@@ -105,7 +82,7 @@ impl Rows {
             Err(found) => {
                 numbers.iter_mut().for_each(|column| column.push(f64::NAN));
                 let words = in_words(RowStatus::Invalid, &found);
-                let is_whole = self.block.shape(row).present.count_ones() as usize == self.common.columns.fields.len();
+                let is_whole = self.block.shape(row).present.count_ones() as usize == self.plan.columns.fields.len();
                 if !*has_case && is_whole && refused.len() < MOST_REFUSED {
                     refused.push(found.clone());
                 }
@@ -121,7 +98,7 @@ impl Rows {
         let known = self.templates.place_of(&self.block, row);
         let at = match known {
             Some(at) => at,
-            None => self.templates.add(&self.common, &self.block, row)?,
+            None => self.templates.add(&self.plan, &self.block, row)?,
         };
         let Some(template) = self.templates.list.get_mut(at) else { return Err(Vec::new()) };
         self.values.clear();
@@ -164,8 +141,8 @@ impl Job for Rows {
                 return false;
             }
         }
-        let common = self.common.clone();
-        common.writer.rows(&self.block, &mut self.answers, &mut self.output);
+        let plan = self.plan.clone();
+        plan.writer.rows(&self.block, &mut self.answers, &mut self.output);
         true
     }
 }

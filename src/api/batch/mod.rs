@@ -1,8 +1,10 @@
 //! `POST /v1/batch`.
 
+mod answers;
 mod arrow;
 mod evaluate;
 mod example;
+mod plan;
 mod reply;
 mod request;
 mod run;

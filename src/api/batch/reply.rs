@@ -1,17 +1,11 @@
 //! The answer of a batch: a row for each of its rows, and an end that tells a whole answer from one that was cut.
 
+use super::answers::{Answers, OK, STATUS};
 use super::arrow::ArrowTable;
-use super::evaluate::Answers;
 use crate::extract::RowsForm;
 use crate::quantity::Cell;
 use crate::reply::{End, RowFormat};
 use crate::rows::{Block, Columns, EchoedCell};
-
-/// Name of the column that says how a row went.
-pub(super) const STATUS: &str = "status";
-
-/// The status of a row that has an answer.
-pub(super) const OK: &str = "ok";
 
 /// Writes rows in a form.
 #[derive(Debug)]

@@ -15,7 +15,7 @@ use crate::rows::{Echo, Wanted};
 use crate::series::ExtraColumns;
 use crate::words::HINTS;
 
-use super::reply::STATUS;
+use super::answers::STATUS;
 
 const ECHO: Field<Label> = Field::new(
     "echo",

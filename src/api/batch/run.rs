@@ -5,7 +5,9 @@ use std::sync::Arc;
 use axum::body::Bytes;
 use terramechanics_reading::{Assumption, FieldFault, Path};
 
-use super::evaluate::{Answers, Common, Rows};
+use super::answers::Answers;
+use super::evaluate::Rows;
+use super::plan::Plan;
 use super::reply::Writer;
 use super::request::answered;
 use crate::extract::RowsForm;
@@ -22,7 +24,7 @@ pub(super) struct Batch {
     wanted: Wanted,
     form: RowsForm,
     /// Once the columns are known.
-    common: Option<Arc<Common>>,
+    plan: Option<Arc<Plan>>,
     /// The block that is filled.
     block: Block,
     /// Rows that were read.
@@ -46,7 +48,7 @@ impl Batch {
             reader,
             wanted,
             form,
-            common: None,
+            plan: None,
             block: Block::default(),
             rows: 0,
             spare: Vec::new(),
@@ -57,22 +59,22 @@ impl Batch {
     }
 
     /// What all rows have in common, once the columns are known.
-    fn common(&mut self) -> Option<Arc<Common>> {
-        if self.common.is_none() {
+    fn plan(&mut self) -> Option<Arc<Plan>> {
+        if self.plan.is_none() {
             let columns = self.reader.columns()?.clone();
             let answered: Vec<_> = answered(&self.wanted, &columns.fields).collect();
             let names = answered.iter().map(|(about, _)| about.name);
             let writer = Writer::new(self.form, &columns, names);
             let values = answered.iter().map(|(_, value)| *value).collect();
-            self.common = Some(Arc::new(Common { constants: self.wanted.constants.clone(), columns, values, writer }));
+            self.plan = Some(Arc::new(Plan { constants: self.wanted.constants.clone(), columns, values, writer }));
         }
-        self.common.clone()
+        self.plan.clone()
     }
 
     /// The faults of the request that no row can mend, where all rows of the first block have them.
-    fn common_faults(&self, answers: &Answers) -> Vec<FieldFault> {
-        let Some(common) = self.common.as_ref().filter(|_| !answers.has_case) else { return Vec::new() };
-        let pointers: Vec<String> = common.columns.fields.iter().map(Path::pointer).collect();
+    fn shared_faults(&self, answers: &Answers) -> Vec<FieldFault> {
+        let Some(plan) = self.plan.as_ref().filter(|_| !answers.has_case) else { return Vec::new() };
+        let pointers: Vec<String> = plan.columns.fields.iter().map(Path::pointer).collect();
         let is_of_all = |fault: &FieldFault| fault.figures.as_ref().is_none_or(|figures| figures.maximum_from.is_none());
         let shared = shared(&answers.refused, &pointers).into_iter().filter(|of_rows| of_rows.field.is_none());
         // A row that cannot be read has a fault of its own, which is that of no field.
@@ -106,8 +108,8 @@ impl BlockWork for Batch {
         if self.block.rows() == 0 {
             return None;
         }
-        let common = self.common()?;
-        let mut rows = Box::new(self.spare.pop().unwrap_or_else(|| Rows::new(common)));
+        let plan = self.plan()?;
+        let mut rows = Box::new(self.spare.pop().unwrap_or_else(|| Rows::new(plan)));
         let mut next = std::mem::take(&mut rows.block);
         self.rows += self.block.rows() as u64;
         next.clear(self.rows);
@@ -118,12 +120,12 @@ impl BlockWork for Batch {
     fn give(&mut self, mut rows: Box<Rows>) -> Result<Bytes, Problem> {
         let mut output = Vec::new();
         if !self.has_begun {
-            let faults = self.common_faults(&rows.answers);
+            let faults = self.shared_faults(&rows.answers);
             if !faults.is_empty() {
                 return Err(Problem::Invalid(faults));
             }
             self.has_begun = true;
-            self.common.iter().for_each(|common| common.writer.head(&mut output));
+            self.plan.iter().for_each(|plan| plan.writer.head(&mut output));
         }
         self.tally.follow(std::mem::take(&mut rows.answers.tally));
         for assumption in rows.answers.assumed.drain(..) {
@@ -149,13 +151,13 @@ impl BlockWork for Batch {
         let assumed = std::mem::take(&mut self.assumed).into_iter().map(AssumedReply::from).collect::<Vec<_>>();
         let assumed = if assumed.is_empty() { None } else { Some(assumed) };
         let end = End { end: true, rows: self.rows, warnings, assumed };
-        self.common.iter().for_each(|common| common.writer.end(&end, &mut output));
+        self.plan.iter().for_each(|plan| plan.writer.end(&end, &mut output));
         output.into()
     }
 
     fn broken(&self, problem: &Problem) -> Option<Bytes> {
         let mut output = Vec::new();
-        let is_told = self.common.as_ref()?.writer.broken(&problem.detail(), &mut output);
+        let is_told = self.plan.as_ref()?.writer.broken(&problem.detail(), &mut output);
         is_told.then(|| output.into())
     }
 }

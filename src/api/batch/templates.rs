@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use terramechanics_reading::{FieldFault, Path};
 
-use super::evaluate::Common;
+use super::plan::Plan;
 use crate::api::forces::ForcesCase;
 use crate::rows::{Block, Shape};
 use crate::varied::Template;
@@ -59,7 +59,7 @@ impl Templates {
     }
 
     /// Adds the template for the row that was looked up last; its place.
-    pub(super) fn add(&mut self, common: &Common, block: &Block, row: usize) -> Result<usize, Vec<FieldFault>> {
+    pub(super) fn add(&mut self, plan: &Plan, block: &Block, row: usize) -> Result<usize, Vec<FieldFault>> {
         let Shape { present, textual } = block.shape(row);
         let words: Vec<_> = bits(textual).map(|field| (field, block.node(field, row))).collect();
         let name = format!("{present} {words:?}");
@@ -68,8 +68,8 @@ impl Templates {
             None => {
                 let told =
                     |faults: Vec<crate::varied::RowFault>| faults.into_iter().map(|of_row| of_row.fault).collect::<Vec<_>>();
-                let fields = &common.columns.fields;
-                let mut request = common.constants.clone();
+                let fields = &plan.columns.fields;
+                let mut request = plan.constants.clone();
                 for (field, word) in words {
                     let blocked = |blocked: terramechanics_reading::Blocked| {
                         vec![FieldFault::new(
