@@ -92,9 +92,12 @@ fn processor_time(work: impl Fn()) -> Duration {
     if first < DEAR { first } else { (0..REPEATS).map(|_| once()).fold(first, Duration::min) }
 }
 
+/// A sinkage for a wheel of some radius (m).
+type Draw = fn(&mut Draws, f64) -> Sinkage;
+
 fn main() {
     let points = std::env::args().find_map(|argument| argument.parse().ok()).unwrap_or(POINTS);
-    let kinds: [(&str, fn(&mut Draws, f64) -> Sinkage); 4] = [
+    let kinds: [(&str, Draw); 4] = [
         ("given", |draws, radius| Sinkage::Given(radius * draws.over(1e-9, 1.0))),
         ("from a static one", |draws, radius| Sinkage::FromStatic {
             static_sinkage: radius * draws.over(1e-9, 1.0),
