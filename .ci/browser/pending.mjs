@@ -5,7 +5,7 @@ import { assertAnswered, box, open, ready } from "./support/page.mjs";
 
 /** Answers of the service as they come over a slow line (ms). */
 const DELAYS = [100, 700];
-const PARTS = ["tiles", "scene", "profile", "sweep", "rover"];
+const PARTS = ["tiles", "scene", "profile", "sweep", "rover", "further"];
 
 /** @param {number} delay */
 async function slowed(page, delay) {
