@@ -17,6 +17,7 @@ use crate::api::curves::shear::{self, ShearTestsCase};
 use crate::api::forces::{self, ForcesCase};
 use crate::api::identify::{self, IdentifyCase};
 use crate::api::operations::Operations;
+use crate::api::optimum::{self, OptimumCase};
 use crate::api::resistances::{self, ResistancesCase};
 use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
@@ -38,6 +39,7 @@ fn operations() -> Operations {
         .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .shown(routes!(sweep::sweep), sweep::example)
         .room::<UncertaintyCase>(routes!(uncertainty::uncertainty))
+        .room::<OptimumCase>(routes!(optimum::optimum))
         .room::<CompareCase>(routes!(compare::compare))
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))

@@ -13,6 +13,7 @@ pub(crate) mod identify;
 pub(crate) mod limits;
 pub(crate) mod model;
 pub(crate) mod operations;
+pub(crate) mod optimum;
 pub(crate) mod resistances;
 pub(crate) mod responses;
 pub(crate) mod room;

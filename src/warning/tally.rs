@@ -51,10 +51,11 @@ impl Tally {
         }
     }
 
-    /// The warnings: findings first, each with its rows unless it holds for all of several cautions.
+    /// The warnings: findings first, each with its rows unless there is but one, or it is a caution of all.
     pub(crate) fn into_warnings(self) -> Vec<Warning> {
         let all = self.rows;
-        let findings = self.findings.into_iter().map(|(finding, rows)| Warning::from(finding).at(rows));
+        let finding = |(finding, rows)| if all <= 1 { Warning::from(finding) } else { Warning::from(finding).at(rows) };
+        let findings = self.findings.into_iter().map(finding);
         let cautions = self.cautions.into_iter().map(move |(caution, varies, rows)| {
             let warning = Warning::from(caution).varying(varies);
             if rows.count() == all { warning } else { warning.at(rows) }

@@ -402,7 +402,7 @@ fn every_numeric_bound_is_enforced_just_outside_and_accepted_on_the_edge() {
     let mut checked = 0;
     for (path, method, operation) in operations(&document) {
         // These take the requests of other operations, and numbers whose bounds are those of the field that varies.
-        if method != "post" || ["/v1/sweep", "/v1/uncertainty"].contains(&path.as_str()) {
+        if method != "post" || ["/v1/sweep", "/v1/uncertainty", "/v1/optimum"].contains(&path.as_str()) {
             continue;
         }
         let mut fields = Vec::new();
@@ -422,7 +422,9 @@ fn every_numeric_bound_is_enforced_just_outside_and_accepted_on_the_edge() {
             {
                 let body = surroundings(&path, field, value);
                 let answer = post(&path, &body);
-                if document["paths"][&path].get("get").is_some() && !field.pointer.ends_with("/0") {
+                // A query has no lists of objects, such as the stations of a rover.
+                let in_a_query = !field.pointer.ends_with("/0") && body.get("stations").is_none();
+                if document["paths"][&path].get("get").is_some() && in_a_query {
                     let twin = get(&format!("{path}?{}", query_of(&body)));
                     assert_eq!((twin.status, &twin.text), (answer.status, &answer.text), "{path}?{}", query_of(&body));
                 }

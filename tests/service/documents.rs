@@ -142,6 +142,7 @@ fn the_document_has_the_routes_of_the_api() {
         "post /v1/identify",
         "post /v1/identify/plates",
         "post /v1/identify/shear",
+        "post /v1/optimum",
         "post /v1/resistances",
         "post /v1/slip-sweep",
         "post /v1/stress-profile",

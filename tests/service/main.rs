@@ -22,6 +22,7 @@ mod identify_linear;
 mod interface;
 mod known_load;
 mod log;
+mod optimum;
 mod page;
 mod presets;
 mod problems;

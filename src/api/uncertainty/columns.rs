@@ -1,9 +1,8 @@
 //! The columns of the answer: a value for each of the axis, or one at a point.
 
-use terramechanics_uncertainty::{Probability, Sensitivity, Summary};
+use terramechanics_uncertainty::{Estimate, Probability, Sensitivity, Summary};
 
 use super::found::PER_CENT;
-use super::reply::pair;
 use crate::quantity::{About, Columns, Field, Shape};
 use crate::varied::RowStatus;
 
@@ -81,6 +80,11 @@ shapes! {
         "A value for each of the axis, or one; null where the quantity does not vary or too few samples have a value.";
     OfStatus, StatusColumns, STATUS, "UncertainStatusColumns", always,
         "Numbers of samples, for each value of the axis, or one.";
+}
+
+/// A number and its error; NaN for both where there is none.
+pub(super) fn pair(estimate: Option<Estimate>) -> [f64; 2] {
+    estimate.map_or([f64::NAN; 2], |Estimate { value, error }| [value, error])
 }
 
 /// Columns from rows of numbers.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
-use terramechanics_uncertainty::{Estimate, Marginal, Source};
+use terramechanics_uncertainty::{Marginal, Source};
 use utoipa::ToSchema;
 
 use super::columns::{BandColumns, IndexColumns, ProbabilityColumns, StatusColumns, band, index, probability, status};
@@ -134,11 +134,6 @@ struct SensitivityReply {
     /// The field, or the fields that belong together by correlation or joint samples: only together do they have a share.
     fields: Vec<String>,
     columns: IndexColumns,
-}
-
-/// A number and its error; NaN for both where there is none.
-pub(super) fn pair(estimate: Option<Estimate>) -> [f64; 2] {
-    estimate.map_or([f64::NAN; 2], |Estimate { value, error }| [value, error])
 }
 
 impl UncertaintyReply {

@@ -6,6 +6,7 @@ mod evidence;
 mod links;
 mod methods;
 mod operations;
+mod optimum;
 mod readme;
 mod uncertainty;
 mod validation;

@@ -33,8 +33,8 @@ const REQUEST: Field<Nested> = Field::required(
 
 /// A sweep, checked.
 pub(crate) enum GridCase {
-    Forces(Sweep<ForcesCase>),
-    Vehicle(Sweep<VehicleCase>),
+    Forces(Box<Sweep<ForcesCase>>),
+    Vehicle(Box<Sweep<VehicleCase>>),
 }
 
 /// A request over a grid.
@@ -63,8 +63,8 @@ impl Request for GridCase {
 
     fn read(object: &Reader<'_>) -> Option<Self> {
         match object.required(&OF) {
-            Some(Of::Forces) => sweep(object).map(Self::Forces),
-            Some(Of::Vehicle) => sweep(object).map(Self::Vehicle),
+            Some(Of::Forces) => sweep(object).map(Box::new).map(Self::Forces),
+            Some(Of::Vehicle) => sweep(object).map(Box::new).map(Self::Vehicle),
             None => {
                 let _ = object.required(&REQUEST);
                 None
