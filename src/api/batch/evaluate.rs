@@ -10,7 +10,6 @@ use super::plan::Plan;
 use super::templates::{Templates, bits};
 use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
-use crate::quantity::PointValue;
 use crate::request::error_fault;
 use crate::request::pull::SlipFrom;
 use crate::rows::{Block, Shape};
