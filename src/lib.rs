@@ -30,6 +30,7 @@ mod reply;
 mod request;
 mod rest;
 mod router;
+mod rows;
 mod series;
 pub mod server;
 mod state;

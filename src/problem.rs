@@ -48,6 +48,8 @@ pub(crate) enum Problem {
     NotJsonType,
     /// The body is not declared to be a series in a form that is known.
     NotSeriesType,
+    /// The body is not declared to be rows in a form that is known.
+    NotRowsType,
     /// The series in the body cannot be read.
     Unreadable(SeriesFault),
     /// Nothing of the body arrived, or nothing of the answer was taken, for too long.
@@ -121,7 +123,9 @@ impl Problem {
             Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => StatusCode::REQUEST_TIMEOUT,
             Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
             Self::Invalid(_) | Self::TooCostly { .. } => StatusCode::UNPROCESSABLE_ENTITY,
-            Self::UnknownCoding | Self::NotJsonType | Self::NotSeriesType => StatusCode::UNSUPPORTED_MEDIA_TYPE,
+            Self::UnknownCoding | Self::NotJsonType | Self::NotSeriesType | Self::NotRowsType => {
+                StatusCode::UNSUPPORTED_MEDIA_TYPE
+            }
             Self::Busy | Self::Crowded | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
             Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
         }
@@ -140,6 +144,7 @@ impl Problem {
             Self::TooLarge { .. } => ("too-large", "The body is too large"),
             Self::NotJsonType => ("unsupported-media-type", "The body has to be JSON"),
             Self::NotSeriesType => ("unsupported-media-type", "The body has to be JSON, CSV or NDJSON in UTF-8"),
+            Self::NotRowsType => ("unsupported-media-type", "The body has to be CSV or NDJSON in UTF-8, or an Arrow stream"),
             Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
             Self::Busy | Self::Crowded => ("busy", "The service is busy"),
             Self::Late(_) => ("late", "The answer was not ready in time"),
@@ -168,6 +173,9 @@ impl Problem {
             Self::NotSeriesType => {
                 "send the body in UTF-8, with Content-Type: application/json, text/csv or application/x-ndjson".into()
             }
+            Self::NotRowsType => {
+                "send the body in UTF-8 with Content-Type: text/csv or application/x-ndjson, or as application/vnd.apache.arrow.stream".into()
+            },
             Self::Unreadable(fault) => fault.to_string(),
             Self::Idle(limit) => format!("nothing was sent or taken for {} s", limit.as_secs_f64()),
             Self::Crawling(slowest) => {
@@ -215,7 +223,9 @@ impl From<Problem> for ProblemBody {
         let (name, title) = problem.name_and_title();
         let (line, column) = match problem {
             Problem::NotJson { line, column, .. } => (Some(line), Some(column)),
-            Problem::Unreadable(SeriesFault { line, column, .. }) => (usize::try_from(line).ok(), (column > 0).then_some(column)),
+            Problem::Unreadable(SeriesFault { line, column, .. }) => {
+                (usize::try_from(line).ok().filter(|line| *line > 0), (column > 0).then_some(column))
+            }
             _ => (None, None),
         };
         let detail = problem.detail();

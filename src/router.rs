@@ -17,12 +17,14 @@ use crate::api::curves::shear::{self, ShearTestsCase};
 use crate::api::forces::{self, ForcesCase};
 use crate::api::identify::{self, IdentifyCase};
 use crate::api::operations::Operations;
+use crate::api::optimum::{self, OptimumCase};
 use crate::api::resistances::{self, ResistancesCase};
 use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::towed::{self, TowedCase};
+use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
-use crate::api::{catalogue, health, limits, model, sweep, track, validation};
+use crate::api::{batch, catalogue, health, limits, model, sweep, track, validation};
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
 use crate::state::Service;
@@ -36,6 +38,8 @@ fn operations() -> Operations {
         .room::<ProfileCase>(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
         .shown(routes!(sweep::sweep), sweep::example)
+        .room::<UncertaintyCase>(routes!(uncertainty::uncertainty))
+        .room::<OptimumCase>(routes!(optimum::optimum))
         .room::<CompareCase>(routes!(compare::compare))
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))
@@ -45,6 +49,7 @@ fn operations() -> Operations {
         .room::<PlatesCase>(routes!(plates::plates))
         .room::<ShearTestsCase>(routes!(shear::shear))
         .shown(routes!(track::track), track::example)
+        .shown(routes!(batch::batch), batch::example)
         .shown(routes!(catalogue::wheels), catalogue::example_of_wheels)
         .shown(routes!(catalogue::wheel), catalogue::example_of_wheel)
         .shown(routes!(catalogue::soils), catalogue::example_of_soils)

@@ -3,17 +3,20 @@
 //! A stream has a place of its own kind on the pool and at most one piece of input and one of output in memory. The next input is taken only
 //! when the output before it was, so a slow reader slows the writer down.
 
-use axum::body::{Body, Bytes, HttpBody};
-use axum::http::HeaderValue;
-use axum::http::header::CONTENT_TYPE;
-use axum::response::{IntoResponse, Response};
-use http_body_util::{BodyExt, channel};
-use tokio::time::{Instant, timeout, timeout_at};
+mod blocks;
+mod incoming;
+mod outgoing;
 
-use crate::body;
+pub(crate) use blocks::{BlockWork, Job, Taken, answer_in_blocks};
+
+use axum::body::{Body, Bytes};
+use axum::response::Response;
+
 use crate::compute::Place;
 use crate::limits::Limits;
 use crate::problem::Problem;
+use incoming::Incoming;
+use outgoing::{Pieces, respond};
 
 /// Output after which a slice ends (bytes). A slice is handed to another thread and back, which takes as long as a hundred cheap rows.
 pub(crate) const PIECE: usize = 64 << 10;
@@ -50,69 +53,40 @@ pub(crate) trait Work: Send + 'static {
 /// The answer that `work` makes of `body`. What goes wrong before the first output is a problem; afterwards it is told at the
 /// end of the answer.
 pub(crate) async fn answer<W: Work>(work: W, body: Body, place: Place, limits: &Limits) -> Result<Response, Problem> {
-    let media_type = HeaderValue::from_static(work.media_type());
-    let mut stream = Stream::new(work, body, place, limits);
-    let first = stream.next().await?.unwrap_or_default();
-    if let Some(problem) = stream.failed {
-        return Err(problem);
-    }
-    let body = if stream.work.is_none() {
-        Body::from(first)
-    } else {
-        let (sender, receiver) = channel::Channel::<Bytes>::new(1);
-        tokio::spawn(stream.pump(first, sender));
-        Body::new(receiver)
-    };
-    Ok(([(CONTENT_TYPE, media_type)], body).into_response())
+    let media_type = work.media_type();
+    let incoming = Incoming::new(body, limits);
+    let stream = Stream { work: Some(Box::new(work)), incoming, place, failed: None };
+    respond(stream, media_type, limits.stream_idle).await
 }
 
 struct Stream<W> {
     /// None when the answer is complete.
     work: Option<Box<W>>,
-    body: Body,
-    input: Bytes,
-    last: bool,
+    incoming: Incoming,
     place: Place,
-    limits: Limits,
-    deadline: Instant,
     /// Why the answer ends with the piece before.
     failed: Option<Problem>,
 }
 
-impl<W: Work> Stream<W> {
-    fn new(work: W, body: Body, place: Place, limits: &Limits) -> Self {
-        let deadline = Instant::now() + limits.stream_deadline;
-        Self {
-            work: Some(Box::new(work)),
-            body,
-            input: Bytes::new(),
-            last: false,
-            place,
-            limits: *limits,
-            deadline,
-            failed: None,
-        }
-    }
-
-    /// The next piece of output; none at the end. After a problem the work is still there, to tell of it; one behind a piece of
-    /// output waits in `failed`.
+impl<W: Work> Pieces for Stream<W> {
+    /// After a problem the work is still there, to tell of it; one behind a piece of output waits in `failed`.
     async fn next(&mut self) -> Result<Option<Bytes>, Problem> {
         let mut output = Vec::new();
         while let Some(mut work) = self.work.take() {
-            if let Err(problem) = self.receive().await {
+            if let Err(problem) = self.incoming.receive().await {
                 self.work = Some(work);
                 return Err(problem);
             }
             // What is large is allocated and freed on this side of the pool, for blocks that another thread frees are kept longer.
-            let whole = std::mem::take(&mut self.input);
-            let (mut input, last) = (whole.clone(), self.last);
+            let whole = std::mem::take(&mut self.incoming.input);
+            let (mut input, last) = (whole.clone(), self.incoming.last);
             output = Vec::with_capacity(PIECE + OVERHANG);
             let slice = move || {
                 let progress = work.slice(&mut input, last, &mut output);
                 (work, input, output, progress)
             };
             let (work, progress);
-            (work, self.input, output, progress) = self.place.run(slice).await?;
+            (work, self.incoming.input, output, progress) = self.place.run(slice).await?;
             drop(whole);
             match progress {
                 Ok(Progress::Complete) => {}
@@ -132,56 +106,19 @@ impl<W: Work> Stream<W> {
         Ok((!output.is_empty()).then(|| output.into()))
     }
 
-    /// Waits for input, if there is none left and more can come.
-    async fn receive(&mut self) -> Result<(), Problem> {
-        let late = Problem::Late(self.limits.stream_deadline);
-        if self.deadline <= Instant::now() {
-            return Err(late);
-        }
-        while self.input.is_empty() && !self.last {
-            let idle = Instant::now() + self.limits.stream_idle;
-            match timeout_at(idle.min(self.deadline), self.body.frame()).await {
-                Err(_) if self.deadline <= idle => return Err(late),
-                Err(_) => return Err(Problem::Idle(self.limits.stream_idle)),
-                Ok(Some(Err(error))) => return Err(body::problem(&error)),
-                Ok(Some(Ok(frame))) => {
-                    self.input = frame.into_data().unwrap_or_default();
-                    // Where the end is known with the last piece, a fault at the end of a short body is a problem still.
-                    self.last = self.body.is_end_stream();
-                }
-                Ok(None) => self.last = true,
-            }
-        }
-        Ok(())
+    fn take_failed(&mut self) -> Option<Problem> {
+        self.failed.take()
     }
 
-    /// Sends the output until it is complete, or its reader has gone or takes nothing any more.
-    async fn pump(mut self, first: Bytes, mut sender: channel::Sender<Bytes>) {
-        let mut piece = first;
-        loop {
-            match timeout(self.limits.stream_idle, sender.send_data(piece)).await {
-                Ok(Ok(())) => {}
-                Ok(Err(_)) => return tracing::debug!("the reader of a stream has gone"),
-                Err(_) => return tracing::debug!("the reader of a stream takes nothing"),
-            }
-            let next = match self.failed.take() {
-                None => self.next().await,
-                Some(problem) => Err(problem),
-            };
-            piece = match next {
-                Ok(Some(piece)) => piece,
-                Ok(None) => return,
-                Err(problem) => {
-                    let mut output = Vec::new();
-                    if let Some(work) = self.work.take() {
-                        work.broken(&problem, &mut output);
-                    }
-                    output.into()
-                }
-            };
-            if piece.is_empty() {
-                return;
-            }
+    fn is_complete(&self) -> bool {
+        self.work.is_none()
+    }
+
+    fn broken(&mut self, problem: &Problem) -> Option<Bytes> {
+        let mut output = Vec::new();
+        if let Some(work) = self.work.take() {
+            work.broken(problem, &mut output);
         }
+        Some(output.into())
     }
 }

@@ -8,6 +8,7 @@ import { catalogueOf } from "./api/endpoints.js";
 import { showNominalLoad, showOrigin } from "./catalogue/presets.js";
 import { createControls } from "./controls/controls.js";
 import { button, byId, find } from "./dom/find.js";
+import { connectFurther } from "./further/further.js";
 import { connectMeasurements } from "./measurements/section.js";
 import { connectModel } from "./model/dialog.js";
 import { connectRover } from "./rover/rover.js";
@@ -17,7 +18,7 @@ import { createRounds } from "./rounds/rounds.js";
 import { connectCopy } from "./share/share.js";
 import { createAddress } from "./state/address.js";
 import { DEFAULTS, changed, consistent, offeredState, stateFromQuery, withoutBraking } from "./state/choices.js";
-import { changesFor } from "./state/found-soil.js";
+import { changesFor, withOwnName } from "./state/found-soil.js";
 import { contextOf } from "./state/preset.js";
 import { settingsOf } from "./state/settings.js";
 import { createStatus } from "./status/status.js";
@@ -43,11 +44,12 @@ const status = createStatus(app, byId("status"));
 const controls = createControls(find(app, "#controls", HTMLFormElement), change);
 const view = createView(app, {
   fourth: () => state.fourth,
-  measured: () => measurements.data(),
+  measured: () => measurements.measured(),
   onCurves: (series) => measurements.compare(series),
   onPick: (percent) => change({ slip_pct: String(Number(percent.toFixed(6))) }, { discrete: true }),
 });
 const rover = connectRover(byId("rover-section"), (degrees) => change({ slope_deg: String(Number(degrees.toFixed(6))) }, { discrete: true }));
+const further = connectFurther(byId("further-section"));
 const measurements = connectMeasurements(byId("measurements"), {
   settings: () => settingsOf(state, catalogue),
   onData: () => view.drawSlipCharts(),
@@ -95,7 +97,7 @@ function change(changes, { discrete }) {
   if (discrete) address.flush();
   notTaken = [];
   byId("notice").hidden = true;
-  const next = changed(state, changes);
+  const next = withOwnName(state, changed(state, changes));
   state = consistent(changes.braking === "" ? withoutBraking(next) : next);
   address.write({ discrete });
   showControls();
@@ -132,7 +134,8 @@ async function round(signal) {
     const outcomes = await askAll(settings, signal);
     if (signal.aborted) return;
     const stale = view.show(settings, outcomes);
-    await rover.show(settings, outcomes.rover, (outcomes.forces.answer?.warnings ?? []).map(({ code }) => code));
+    const said = (outcomes.forces.answer?.warnings ?? []).map(({ code }) => code);
+    await Promise.all([rover.show(settings, outcomes.rover, said), further.show(settings, outcomes.further, said)]);
     if (!signal.aborted) showFaults(faultsOf(outcomes), stale);
   } finally {
     app.dataset.busy = "false";

@@ -41,6 +41,26 @@ check("the slip slider changes the stresses and the marked slip", async (page) =
   assert.equal((await assertShown(page)).slip, 0.36);
 });
 
+check("a slip that may be a ratio is asked about", async (page) => {
+  await open(page);
+  const question = page.locator("#slip-question");
+  assert.ok(await question.isHidden());
+  await box(page, "slip").fill("0.2");
+  await ready(page);
+  assert.match(await question.innerText(), /^0\.2 % is less than one percent\. Was 20 % meant\?/);
+  assert.equal((await assertAnswered(page)).slip, 0.002, "what was typed stands until the answer");
+  await page.click('[data-meant="slip"]');
+  await ready(page);
+  assert.equal(await box(page, "slip").inputValue(), "20");
+  assert.equal((await assertAnswered(page)).slip, 0.2);
+  assert.ok(await question.isHidden());
+  for (const [text, isAsked] of /** @type {[string, boolean][]} */ ([["0", false], ["-0.4", true], ["1", false], ["0,35", true], ["12.5", false]])) {
+    await box(page, "slip").fill(text);
+    await ready(page);
+    assert.equal(await question.isVisible(), isAsked, text);
+  }
+});
+
 check("the radius slider changes every curve", async (page) => {
   await open(page);
   assert.deepEqual(await changesBy(page, "radius", "300"), { profile: true, sweep: true });

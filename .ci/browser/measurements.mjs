@@ -4,7 +4,7 @@ import { LETTER, ask } from "./support/api.mjs";
 import { paths } from "./support/chart.mjs";
 import { check, run } from "./support/checks.mjs";
 import { chosen, dropFile, faults, pointsIn, state } from "./support/measurements.mjs";
-import { curlBody, open, ready } from "./support/page.mjs";
+import { box, curlBody, open, ready } from "./support/page.mjs";
 
 const FRICTION_RAD = 0.55;
 /** The points are sent in five digits, from which no more than this can be told. */
@@ -74,6 +74,70 @@ check("a dropped table is fitted on demand, and its soil becomes the page's", as
   await ready(page);
   assert.deepEqual((await curlBody(page)).soil, { preset: "letter-sand" });
 });
+
+/** The root mean square of what the service gives for each row at its own operating point, minus what was measured. */
+async function ownErrors(body, rows, names) {
+  const answers = await Promise.all(rows.map(({ point }) => ask("/v1/forces", { ...body, ...point })));
+  return Object.fromEntries(names.map((name) => {
+    const squares = rows.map(({ measured }, row) => (answers[row][name] - measured[name]) ** 2);
+    return [name, Math.sqrt(squares.reduce((sum, each) => sum + each, 0) / squares.length)];
+  }));
+}
+
+const rms = (page, name) => page.getAttribute(`[data-rms="${name}"][data-method="quadrature"]`, "data-value").then(Number);
+const fitted = async (page) => ({ basis: await page.locator('#basis [data-basis="fitted"]').allInnerTexts(), legend: await page.innerText("#torque-chart .legend") });
+
+for (const { by, column, points, given } of [
+  { by: "sinkage", column: "z mm", points: [10, 20, 30], given: (value) => ({ sinkage_m: value / 1000 }) },
+  { by: "load", column: "Fz N", points: [60, 90, 120], given: (value) => ({ normal_load_n: value }) },
+]) {
+  check(`after a fit each point is judged at its own ${by}, and the soil is named for its file`, async (page) => {
+    const rows = [];
+    for (const value of points) {
+      for (const [index, slip] of SLIPS.entries()) {
+        const point = { slip, ...given(value) };
+        const answer = await ask("/v1/forces", { ...LETTER, sinkage_m: undefined, soil: { preset: "letter-sand", friction_angle_rad: FRICTION_RAD }, ...point });
+        // A scatter that no soil explains.
+        const scatter = 1 + (index % 2 ? 0.02 : -0.02);
+        rows.push({ point, value, measured: { longitudinal_force_n: answer.longitudinal_force_n * scatter, torque_n_m: answer.torque_n_m * scatter } });
+      }
+    }
+    await open(page);
+    await dropFile(page, [`slip,${column},Fx N,T`, ...rows.map(({ point, value, measured }) =>
+      [point.slip, value, measured.longitudinal_force_n, measured.torque_n_m].join(","))].join("\n"));
+    const before = await rms(page, "longitudinal_force_n");
+    assert.match(await page.innerText('#longitudinal-force-chart [data-curve="measured"]'), /from the curve/);
+    for (const name of ["n0", "k_s", "shear_modulus_m"]) await page.uncheck(`[data-fit="${name}"]`);
+    await page.click("#fit-soil");
+    await page.waitForSelector('#identification[data-state="fitted"]');
+    assert.equal(await rms(page, "longitudinal_force_n"), before, "the page still has another soil");
+    await page.click("#use-soil");
+    await ready(page);
+
+    const { soil } = await curlBody(page);
+    const errors = await ownErrors({ wheel: LETTER.wheel, soil }, rows, ["longitudinal_force_n", "torque_n_m"]);
+    for (const [name, error] of Object.entries(errors)) {
+      const shown = await rms(page, name);
+      assert.ok(Math.abs(shown - error) <= 1e-3 * error, `${name}: ${shown}, but the rows give ${error}`);
+    }
+    assert.ok(errors.longitudinal_force_n < before / 4, `${errors.longitudinal_force_n} N of ${before} N`);
+    assert.match(await page.innerText('#longitudinal-force-chart [data-curve="measured"]'), new RegExp(`rms .* each at its own ${by}`));
+    assert.deepEqual((await fitted(page)).basis, ["The soil was fitted from test.csv."]);
+    assert.match((await fitted(page)).legend, /soil fitted from test\.csv/);
+    assert.equal(new URLSearchParams(new URL(page.url()).search).get("fitted"), "test.csv");
+    await page.emulateMedia({ media: "print" });
+    assert.ok(await page.isVisible('#basis [data-basis="fitted"]'), "the print names the file");
+    await page.emulateMedia({ media: null });
+
+    await box(page, "slip").fill("40");
+    await ready(page);
+    assert.ok(Math.abs(await rms(page, "torque_n_m") - errors.torque_n_m) <= 1e-3 * errors.torque_n_m, "the slip of the page changes no row");
+    await box(page, "friction_angle").fill("20");
+    await ready(page);
+    assert.match(await page.innerText('#longitudinal-force-chart [data-curve="measured"]'), /from the curve/);
+    assert.deepEqual((await fitted(page)).basis, [], "a soil that was changed is no longer the fitted one");
+  });
+}
 
 check("a column can be changed, and the page says what is missing", async (page) => {
   await open(page);

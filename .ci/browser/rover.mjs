@@ -71,6 +71,39 @@ check("a rover with its axles has loads by statics, and ruts", async (page) => {
   assert.equal(download.suggestedFilename(), "vehicle_letter_letter-sand.csv");
 });
 
+check("wheels at equal torques slip each for itself, and the hitch has its height", async (page) => {
+  await open(page, "?rover=1&axles=400+-400&com_mm=100&com_height_mm=300&hitch_n=20&hitch_height_mm=150&slope_deg=3");
+  const stations = [0.4, 0.4, -0.4, -0.4].map((x) => ({ x_m: x, wheel: WHEEL }));
+  const body = { ...ROVER, hitch_pull_n: 20, hitch_height_m: 0.15, stations, centre_of_mass: { x_m: 0.1, height_m: 0.3 } };
+  const high = await assertRover(page, body, 3, [0, 20]);
+  const { wheels: low } = await ask("/v1/vehicle", { ...body, hitch_height_m: 0, slope_rad: 3 * DEGREE });
+  assert.notEqual(high.wheels[0].normal_load_n, low[0].normal_load_n, "the height of the hitch moves the loads");
+  await page.selectOption("#drive", "equal_torque");
+  await page.waitForURL(/drive=equal_torque/);
+  await ready(page);
+  const answer = await assertRover(page, { ...body, drive: "equal_torque" }, 3, [0, 20]);
+  assert.ok(answer.wheels[2].slip > answer.wheels[0].slip, "the rear wheels carry more and slip more");
+  const slips = await page.$$eval('[data-rover-wheel="slip"]', (cells) => cells.map(({ dataset }) => Number(dataset.value)));
+  assert.deepEqual(slips, answer.wheels.map(({ slip }) => slip));
+  assert.match(await page.innerText("#rover-verdict"), /at slips up to/);
+  assert.match(await page.innerText("#rover-wheels caption"), /equal torques/);
+  await page.reload();
+  await ready(page);
+  assert.equal(await page.inputValue("#drive"), "equal_torque");
+});
+
+check("an axle has a slip or a torque of its own", async (page) => {
+  await open(page, "?rover=1&axles=400+0@10%25+-400@0Nm&slope_deg=0");
+  const own = [{}, {}, { slip: 0.1 }, { slip: 0.1 }, { torque_n_m: 0 }, { torque_n_m: 0 }];
+  const stations = [0.4, 0.4, 0, 0, -0.4, -0.4].map((x, index) => ({ x_m: x, wheel: WHEEL, ...own[index] }));
+  const answer = await assertRover(page, { ...ROVER, stations }, 0, [0, 20]);
+  assert.equal(answer.wheels[2].slip, 0.1);
+  const torques = await page.$$eval('[data-rover-wheel="torque_n_m"]', (cells) => cells.map(({ dataset }) => Number(dataset.value)));
+  assert.deepEqual(torques, answer.wheels.map(({ torque_n_m: torque }) => torque));
+  assert.equal(await page.locator("#rover-scene circle[data-axle]").count(), 3);
+  assert.equal(await page.inputValue("#axles"), "400 0@10% -400@0Nm");
+});
+
 check("a rover that the service refuses is told at its fields", async (page) => {
   await open(page, "?rover=1");
   await box(page, "mass").fill("-1");
@@ -82,6 +115,13 @@ check("a rover that the service refuses is told at its fields", async (page) => 
   await page.fill("#axles", "front, rear");
   await faulty(page);
   assert.ok(await page.isVisible("#axles-fault"));
+  await page.fill("#axles", "400 -400@200%");
+  await faulty(page);
+  assert.ok(await page.isVisible("#axles-fault"), "a slip beyond the range is told at the axles");
+  await page.fill("#axles", "400 -400");
+  await box(page, "hitch_height").fill("100");
+  await faulty(page);
+  assert.match(await page.innerText('[data-fault="/hitch_height_m"]'), /centre/, "the height of the hitch needs the centre of mass");
 }, { refused: true });
 
 await run();

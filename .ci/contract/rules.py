@@ -54,6 +54,9 @@ SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
 # Values that say the same as leaving the field out.
 NEUTRAL = {"slip_angle_rad": [0], "rut": [False]}
 
+# Columns of words.
+WORDS = ["status", "stop_reason"]
+
 # How a refusal starts whose reason stands in the schema: a bound, a type, a word, a name, a field that is left out.
 IN_THE_SCHEMA = ("must be ", "must have ", "unknown name ", "unknown field", "is required")
 # The one field that may be required in spite of the schema: a value that nobody published for a preset.
@@ -104,16 +107,26 @@ def before_load_schema(context, raw_schema):
     measurements(schemas)
     exits(schemas)
     schemas["CoupledRequest"] = coupled(schemas["CoupledRequest"])
+    schemas["UncertaintyRequest"] = uncertain(schemas["UncertaintyRequest"])
+    schemas["OptimumRequest"] = searches(schemas["OptimumRequest"])
     within_a_request(schemas)
 
     # What the schema here no longer has would keep the example from being sent.
     compared = raw_schema["paths"]["/v1/compare"]["post"]["requestBody"]["content"]["application/json"]
     del compared["example"]["variants"]
+    uncertain_body = raw_schema["paths"]["/v1/uncertainty"]["post"]["requestBody"]["content"]["application/json"]
+    uncertain_body["example"] |= {
+        "inputs": [{"field": "/soil/cohesion_pa", "distribution": "uniform", "low": 0, "high": 2e4}],
+        "conditions": [],
+        "sensitivity": False,
+        "sensitivity_of": "torque_n_m",
+    }
 
     # Without a schema of their own, tables and lines of objects would be any text; tests of the service have them.
     track = raw_schema["paths"]["/v1/track"]["post"]
     del track["parameters"]
     track["requestBody"]["content"] = {"application/json": track["requestBody"]["content"]["application/json"]}
+    del raw_schema["paths"]["/v1/batch"]
     for operations in raw_schema["paths"].values():
         asked = [with_its_content(raw_schema, parameter) for parameter in operations.get("get", {}).get("parameters", [])]
         if any("." in parameter["name"] for parameter in asked):
@@ -179,12 +192,84 @@ def exits(schemas):
         schemas[name] = one_of([requiring(contact, [], without=["exit"]), requiring(contact, ["exit"], without=["c3"])])
 
 
+def uncertain(schema):
+    """Forces with two fields that every soil has, within their bounds; what else may be uncertain, tests of the service have.
+
+    Without sensitivities, so that the price of no request is refused.
+    """
+    schema = requiring(schema, ["inputs"])
+    fields = schema["properties"]
+    for name in ("correlation", "axis"):
+        del fields[name]
+    fields["of"]["enum"] = ["forces"]
+    fields["request"] = {"$ref": "#/components/schemas/ForcesRequest"}
+    fields["samples"]["maximum"] = 300
+    fields["sensitivity"]["enum"] = [False]
+    schema["required"] += ["samples", "sensitivity"]
+    fields["sensitivity_of"] = {"enum": ["torque_n_m"]}
+    within = [("/soil/cohesion_pa", 0, 1e4, 1e5), ("/soil/friction_angle_rad", 0.1, 0.4, 1.2)]
+    fields["inputs"]["items"] = one_of(between(*ends) for ends in within)
+    fields["inputs"]["minItems"], fields["inputs"]["maxItems"] = 1, 2
+    number = {"type": "number"}
+    condition = {"quantity": {"enum": ["torque_n_m", "normal_force_n"]}}
+    fields["conditions"]["items"] = one_of(closed({**condition, side: number}) for side in ("below", "above"))
+    return schema
+
+
+def between(field, low, middle, high):
+    """A field that is uniform between a number below the middle and one above it."""
+    below, above = {"type": "number", "minimum": low, "maximum": middle}, {"type": "number", "exclusiveMinimum": middle, "maximum": high}
+    return closed({"field": {"enum": [field]}, "distribution": {"enum": ["uniform"]}, "low": below, "high": above})
+
+
+def closed(fields):
+    """An object that has these fields and no others."""
+    return {"type": "object", "properties": fields, "required": list(fields), "additionalProperties": False}
+
+
 def coupled(schema):
     """With a measured torque no soil is needed, without one it is. What says how to slip was chosen before."""
     of_each = [
         [requiring(way, ["soil"], without=["torque_n_m"]), requiring(way, ["torque_n_m"])] for way in schema["oneOf"]
     ]
     return one_of(way for ways in of_each for way in ways)
+
+
+def searches(schema):
+    """Searches of a wheel for two loads: which fields vary and which formulas are right depends on the request."""
+    wheel = {"wheel": {"width_m": 0.1}, "soil": {"preset": "letter-sand"}, "slip": 0.2}
+    quantities = ["torque_n_m", "sinkage_m", "-longitudinal_force_n", "2*pi*radius_m*0.002*2700", "drawbar_coefficient^2"]
+    variable = {
+        "type": "object",
+        "additionalProperties": False,
+        "required": ["field", "from", "to"],
+        "properties": {
+            "field": {"enum": ["/wheel/radius_m"]},
+            "from": {"type": "number", "minimum": 0.05, "maximum": 0.1},
+            "to": {"type": "number", "minimum": 0.2, "maximum": 0.3},
+            "start": {"type": "number", "minimum": 0.1, "maximum": 0.2},
+            "spacing": {"enum": ["linear", "log"]},
+        },
+    }
+    limit = {"type": "number", "minimum": -1e3, "maximum": 1e3}
+    constraint = {
+        "type": "object",
+        "additionalProperties": False,
+        "required": ["quantity", "at_most"],
+        "properties": {"quantity": {"enum": quantities}, "at_least": limit, "at_most": limit},
+    }
+    schema = requiring(schema, [])
+    fields = schema["properties"]
+    fields["of"] = {"enum": ["forces"]}
+    fields["request"] = {"enum": [{**wheel, "normal_load_n": load} for load in (20, 60)]}
+    fields["variables"] = {"type": "array", "items": variable, "minItems": 1, "maxItems": 1}
+    fields["constraints"] = {"type": "array", "items": constraint, "maxItems": 2}
+    fields["minimise"] = fields["maximise"] = {"enum": quantities}
+    fields["evaluations"]["maximum"] = 200
+    against = {"type": "object", "additionalProperties": False, "required": ["minimise"], "properties": {}}
+    against["properties"] = {"minimise": {"enum": quantities}, "points": {"type": "integer", "minimum": 2, "maximum": 5}}
+    fields["against"] = against
+    return one_of([requiring(schema, ["minimise"], without=["maximise"]), requiring(schema, ["maximise"], without=["minimise"])])
 
 
 # A request within a request: what it may be is tried at its own operation.
@@ -403,11 +488,11 @@ def columns_are_complete(ctx, response, case):
         names, *rows = csv.reader(lines)
         assert rows, "the table has no rows"
         assert all(len(row) == len(names) for row in rows), "a row of the table is too short or too long"
-        cells = [cell for row in rows for name, cell in zip(names, row) if cell and name != "status"]
+        cells = [cell for row in rows for name, cell in zip(names, row) if cell and name not in WORDS]
     else:
         columns = list(named_columns(json.loads(response.content, parse_constant=not_a_number).get("columns", {})))
         assert len({len(column) for _, column in columns}) <= 1, "the columns differ in length"
-        numbers = [column for name, column in columns if name != "status"]
+        numbers = [column for name, column in columns if name not in WORDS]
         cells = [cell for column in numbers for cell in column if cell is not None]
     assert all(math.isfinite(float(cell)) for cell in cells), "a cell is not a finite number"
 

@@ -3,6 +3,7 @@
 //!
 //! A new endpoint is a room here, a row in [`crate::router`] and a test.
 
+pub(crate) mod batch;
 pub(crate) mod catalogue;
 pub(crate) mod compare;
 pub(crate) mod coupled;
@@ -13,6 +14,7 @@ pub(crate) mod identify;
 pub(crate) mod limits;
 pub(crate) mod model;
 pub(crate) mod operations;
+pub(crate) mod optimum;
 pub(crate) mod resistances;
 pub(crate) mod responses;
 pub(crate) mod room;
@@ -21,5 +23,6 @@ pub(crate) mod stress_profile;
 pub(crate) mod sweep;
 pub(crate) mod towed;
 pub(crate) mod track;
+pub(crate) mod uncertainty;
 pub(crate) mod validation;
 pub(crate) mod vehicle;

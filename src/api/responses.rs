@@ -71,6 +71,24 @@ impl IntoResponses for InvalidSeries {
     }
 }
 
+/// What can be wrong with a body that is the rows of a batch.
+pub(crate) struct InvalidRows;
+
+impl IntoResponses for InvalidRows {
+    fn responses() -> BTreeMap<String, RefOr<Response>> {
+        let unreadable = SeriesFault { line: 2, column: 3, detail: "the number of cells is 2, the header has 3".into() };
+        problems(vec![
+            (Problem::Unreadable(unreadable), "The body cannot be read; line and column of the fault"),
+            (Problem::Idle(Duration::from_secs(30)), "The body did not arrive in time"),
+            (
+                Problem::NotRowsType,
+                "The body is declared as none of the forms that are taken, or has a coding that is not unpacked; the header Accept-Encoding names those that are",
+            ),
+            (refused(), "No row can be computed; every fault with a JSON pointer"),
+        ])
+    }
+}
+
 /// What can be wrong with a query.
 pub(crate) struct InvalidQuery;
 

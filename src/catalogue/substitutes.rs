@@ -101,7 +101,7 @@ impl Spread {
 }
 
 /// What was published of a value by those who measured or quoted it. What was itself assigned from elsewhere does not count.
-fn founded(values: &Values, grade: Grade, name: &str) -> Option<f64> {
+pub(super) fn founded(values: &Values, grade: Grade, name: &str) -> Option<f64> {
     values.get(name).filter(|value| value.grade.unwrap_or(grade) != Grade::Proxy).map(|value| value.value)
 }
 

@@ -14,6 +14,7 @@ use crate::reply::Reply;
 const DIGITS: i32 = 6;
 
 const JSON: &str = "application/json";
+const TABLE: &str = "text/csv";
 
 /// What the contract shows of a path.
 pub(crate) struct Shown {
@@ -84,7 +85,7 @@ pub(crate) fn attach(document: &mut OpenApi, shown: &[Shown]) {
 
 fn set_body(operation: &mut Operation, body: &Value) {
     if let Some(RefOr::T(of_body)) = operation.request_body.as_mut()
-        && let Some(RefOr::T(content)) = of_body.content.get_mut(JSON)
+        && let Some(RefOr::T(content)) = of_body.content.get_mut(if body.is_string() { TABLE } else { JSON })
     {
         content.example = Some(body.clone());
     }

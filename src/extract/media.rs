@@ -13,6 +13,19 @@ pub(super) fn is_json(headers: &HeaderMap) -> bool {
             && essence[essence.len() - 5..].eq_ignore_ascii_case("+json"))
 }
 
+/// Whether the body is declared as one of these media types.
+pub(super) fn is_declared(headers: &HeaderMap, known: &[&str]) -> bool {
+    let declared = headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()).unwrap_or("");
+    let essence = declared.split(';').next().unwrap_or("").trim();
+    known.iter().any(|known| essence.eq_ignore_ascii_case(known))
+}
+
+/// How much an Accept header wants one of several media types, from 0 to 1.
+pub(super) fn wanted(accept: &str, media_types: &[&str]) -> f64 {
+    let of = |known: &&str| known.split_once('/').map_or(0.0, |(kind, subtype)| quality(accept, kind, subtype));
+    media_types.iter().map(of).fold(0.0, f64::max)
+}
+
 /// Whether a media type declares no charset, or one that UTF-8 covers.
 pub(super) fn is_utf_8(declared: &str) -> bool {
     let parameters = declared.split(';').skip(1).filter_map(|parameter| parameter.split_once('='));

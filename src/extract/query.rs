@@ -62,7 +62,11 @@ pub(crate) fn read_query(uri: &Uri) -> Result<Node<'_>, Problem> {
     parsed(uri).map(Query::into_node)
 }
 
-fn parsed(uri: &Uri) -> Result<Query<'_>, Problem> {
+/// The parameters of a query.
+///
+/// # Errors
+/// [`Problem::Invalid`] where there are too many.
+pub(crate) fn parsed(uri: &Uri) -> Result<Query<'_>, Problem> {
     Query::parse(uri.query().unwrap_or("")).map_err(|error| Problem::Invalid(vec![FieldFault::new("", error)]))
 }
 
@@ -76,12 +80,17 @@ const FORMAT: Field<Word<Format>> = Field::new(
 fn asked_format(query: &mut Query<'_>) -> (Option<Format>, Vec<FieldFault>) {
     let faults = Faults::new(&HINTS);
     let root = Scope::root(&faults);
-    let (node, several) = query.take(FORMAT.name);
-    if several {
-        root.field(FORMAT.name).fault("is given more than once");
-    }
-    let format = node.and_then(|node| FORMAT.kind.read(&node, root.field(FORMAT.name)));
+    let format = taken(query, FORMAT.name, &root).and_then(|node| FORMAT.kind.read(&node, root.field(FORMAT.name)));
     (format, faults.into_list())
+}
+
+/// A parameter that belongs to no request, taken out; that there are several is reported.
+pub(crate) fn taken<'a>(query: &mut Query<'a>, name: &'static str, root: &Scope<'_>) -> Option<Node<'a>> {
+    let (node, several) = query.take(name);
+    if several {
+        root.field(name).fault("is given more than once");
+    }
+    node
 }
 
 /// The parameter `format` for the contract.

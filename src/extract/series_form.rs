@@ -3,7 +3,7 @@
 use axum::http::HeaderMap;
 use axum::http::header::{ACCEPT, CONTENT_TYPE};
 
-use super::media::{is_json, is_utf_8, quality};
+use super::media::{is_declared, is_json, is_utf_8, wanted};
 use crate::problem::Problem;
 
 /// A form in which a series comes or goes.
@@ -26,12 +26,10 @@ impl SeriesForm {
     /// [`Problem::NotSeriesType`] for any other, and for another charset than UTF-8.
     pub(crate) fn of_body(headers: &HeaderMap) -> Result<Self, Problem> {
         let declared = headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()).unwrap_or("");
-        let essence = declared.split(';').next().unwrap_or("").trim();
-        let is = |form: &Self| form.media_types().iter().any(|known| essence.eq_ignore_ascii_case(known));
         if !is_utf_8(declared) {
             return Err(Problem::NotSeriesType);
         }
-        match Self::ALL.into_iter().find(is) {
+        match Self::ALL.into_iter().find(|form| is_declared(headers, form.media_types())) {
             Some(form) => Ok(form),
             None if is_json(headers) => Ok(Self::Json),
             None => Err(Problem::NotSeriesType),
@@ -41,10 +39,7 @@ impl SeriesForm {
     /// The form that an answer to a body of this form is wanted in: the same unless another is preferred.
     pub(crate) fn of_answer(self, headers: &HeaderMap) -> Self {
         let Some(accept) = headers.get(ACCEPT).and_then(|value| value.to_str().ok()) else { return self };
-        let wanted = |form: Self| {
-            let of = |known: &&str| known.split_once('/').map_or(0.0, |(kind, subtype)| quality(accept, kind, subtype));
-            form.media_types().iter().map(of).fold(0.0, f64::max)
-        };
+        let wanted = |form: Self| wanted(accept, form.media_types());
         Self::ALL.into_iter().fold(self, |best, form| if wanted(form) > wanted(best) { form } else { best })
     }
 

@@ -3,11 +3,14 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-/// A cell: a number, NaN where there is none, or a word.
+/// A cell: a number, NaN where there is none, a word, or nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Cell<'a> {
     Number(f64),
     Word(&'a str),
+    /// What is written as it stands, such as a number that is repeated.
+    Literal(&'a str),
+    Nothing,
 }
 
 /// Writes a number in the fewest digits that parse to the same number, as the JSON of the service has it.
@@ -23,16 +26,21 @@ pub(crate) fn line<'a>(cells: impl IntoIterator<Item = Cell<'a>>, out: &mut Vec<
         }
         match cell {
             Cell::Number(value) if value.is_finite() => number(value, out),
-            Cell::Number(_) => {}
+            Cell::Number(_) | Cell::Nothing => {}
             Cell::Word(word) => out.extend_from_slice(quoted(word).as_bytes()),
+            Cell::Literal(text) => out.extend_from_slice(text.as_bytes()),
         }
     }
     out.push(b'\n');
 }
 
-/// A text as a cell: in quotes where a comma, a quote or a line end would break the table.
+/// A text as a cell: in quotes where a comma, a quote or a line end would break the table, or the line might pass for a comment.
 fn quoted(text: &str) -> Cow<'_, str> {
-    if text.contains([',', '"', '\r', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")).into() } else { text.into() }
+    if text.contains([',', '"', '\r', '\n']) || text.starts_with('#') {
+        format!("\"{}\"", text.replace('"', "\"\"")).into()
+    } else {
+        text.into()
+    }
 }
 
 /// A JSON object in a line, of names that need no escape; null for no number.
@@ -44,7 +52,8 @@ pub(crate) fn ndjson_line<'a>(cells: impl IntoIterator<Item = (&'a str, Cell<'a>
         out.extend_from_slice(b"\":");
         match cell {
             Cell::Number(value) if value.is_finite() => number(value, out),
-            Cell::Number(_) => out.extend_from_slice(b"null"),
+            Cell::Number(_) | Cell::Nothing => out.extend_from_slice(b"null"),
+            Cell::Literal(text) => out.extend_from_slice(text.as_bytes()),
             // Writing to memory cannot fail.
             Cell::Word(word) => drop(serde_json::to_writer(&mut *out, word)),
         }

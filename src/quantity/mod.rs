@@ -48,6 +48,9 @@ pub(crate) struct Quantity {
 }
 
 impl About {
+    /// In place of a unit: that of a quantity which stands beside it.
+    pub(crate) const OF_ANOTHER: &'static str = "{unit of the quantity}";
+
     pub(crate) const fn new(name: &'static str, symbol: &'static str, unit: &'static str, meaning: &'static str) -> Self {
         Self { name, symbol, unit, meaning }
     }
@@ -55,7 +58,7 @@ impl About {
     /// The quantity in words, for the contract: symbol, unit, meaning.
     pub(crate) fn description(&self) -> String {
         match (self.symbol, self.unit) {
-            ("", "") => self.meaning.to_owned(),
+            ("", "" | Self::OF_ANOTHER) => self.meaning.to_owned(),
             ("", unit) => format!("{} ({}).", self.meaning.trim_end_matches('.'), shown(unit)),
             (symbol, unit) => format!("{symbol} ({}): {}", shown(unit), self.meaning),
         }

@@ -59,8 +59,9 @@ impl Field {
 /// A number in `unit`.
 pub(crate) fn of_number(unit: &str, nullable: bool) -> ObjectBuilder {
     let number = if nullable { SchemaType::from_iter([Type::Number, Type::Null]) } else { Type::Number.into() };
-    let unit = ExtensionsBuilder::new().add("x-unit", Value::from(unit)).build();
-    ObjectBuilder::new().schema_type(number).format(Some(SchemaFormat::KnownFormat(KnownFormat::Double))).extensions(Some(unit))
+    let told = || ExtensionsBuilder::new().add("x-unit", Value::from(unit)).build();
+    let extensions = (unit != About::OF_ANOTHER).then(told);
+    ObjectBuilder::new().schema_type(number).format(Some(SchemaFormat::KnownFormat(KnownFormat::Double))).extensions(extensions)
 }
 
 /// An object of fields, each written by `schema`.

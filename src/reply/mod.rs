@@ -9,7 +9,7 @@ pub(crate) mod soil;
 pub(crate) use assuming::{AssumedReply, Assuming};
 pub(crate) use estimate::EstimateReply;
 pub(crate) use method::method_name;
-pub(crate) use rows::{RowFormat, comment, object};
+pub(crate) use rows::{End, RowFormat, comment, object};
 
 use std::borrow::Cow;
 

@@ -4,7 +4,9 @@ use std::io::Write;
 
 use serde::Serialize;
 
+use super::assuming::AssumedReply;
 use crate::quantity::{Cell, line, ndjson_line};
+use crate::warning::Warning;
 
 /// A format that is written row by row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +33,19 @@ impl RowFormat {
         }
     }
 
+    /// The lines after the last row of a whole answer.
+    pub(crate) fn end(self, end: &End, out: &mut Vec<u8>) {
+        match self {
+            Self::Csv => {
+                for warning in &end.warnings {
+                    comment(&["warning", warning.code(), &warning.detail()], out);
+                }
+                comment(&["end", &end.rows.to_string()], out);
+            }
+            Self::Ndjson => object(end, out),
+        }
+    }
+
     /// The line after the last row where the answer ends too early.
     pub(crate) fn broken(self, problem: &str, out: &mut Vec<u8>) {
         match self {
@@ -38,6 +53,17 @@ impl RowFormat {
             Self::Ndjson => object(&serde_json::json!({ "error": problem }), out),
         }
     }
+}
+
+/// The end of a whole answer.
+#[derive(Debug, Serialize)]
+pub(crate) struct End {
+    /// True.
+    pub(crate) end: bool,
+    pub(crate) rows: u64,
+    pub(crate) warnings: Vec<Warning>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) assumed: Option<Vec<AssumedReply>>,
 }
 
 /// A comment of several cells; the last may be any text without a line end.

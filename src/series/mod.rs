@@ -1,11 +1,14 @@
 //! Time series of telemetry as they stand on the wire: read piece by piece, in constant memory, wherever the pieces end.
 
 mod csv;
+mod lines;
 mod ndjson;
 #[cfg(any(test, fuzzing))]
 mod pieces;
 
 use csv::CsvReader;
+pub(crate) use csv::{Next, Records, number};
+pub(crate) use lines::{Line, Lines};
 use ndjson::NdjsonReader;
 #[cfg(fuzzing)]
 pub(crate) use pieces::all;
@@ -55,7 +58,7 @@ pub(crate) enum ExtraColumns {
 }
 
 /// How they can be left out, for those who sent them.
-const LEAVING_OUT: &str = "extra_columns=ignore leaves unknown ones out";
+pub(crate) const LEAVING_OUT: &str = "extra_columns=ignore leaves unknown ones out";
 
 /// The columns that a series has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -77,7 +80,7 @@ pub(crate) const LONGEST_ROW: usize = 8192;
 /// Why a series cannot be read any further.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SeriesFault {
-    /// Line, from 1.
+    /// Line, from 1; 0 where there are no lines.
     pub(crate) line: u64,
     /// Column, from 1: of a table the cell, of a JSON text the character; 0 where the whole line is meant.
     pub(crate) column: usize,
@@ -88,6 +91,7 @@ pub(crate) struct SeriesFault {
 impl fmt::Display for SeriesFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.column {
+            _ if self.line == 0 => f.write_str(&self.detail),
             0 => write!(f, "line {}: {}", self.line, self.detail),
             column => write!(f, "line {}, column {column}: {}", self.line, self.detail),
         }

@@ -2,7 +2,7 @@
 
 use terramechanics_reading::{Fields, Node, Unread, json, shortened};
 
-use super::{Column, ExtraColumns, LONGEST_ROW, Layout, Read, Row, SeriesFault, Unreadable};
+use super::{Column, ExtraColumns, Layout, Line, Lines, Read, Row, SeriesFault, Unreadable};
 use crate::words::HINTS;
 
 /// How a sample is written, for those who wrote something else.
@@ -36,17 +36,14 @@ fn columns(fields: &Fields<'_>, extra: ExtraColumns) -> Result<[Option<usize>; C
 #[derive(Debug)]
 pub(crate) struct NdjsonReader {
     extra: ExtraColumns,
-    /// The beginning of a line whose end has not come yet.
-    held: Vec<u8>,
-    /// Lines that are behind.
-    lines: u64,
+    lines: Lines,
     layout: Option<Layout>,
     unreadable: Unreadable,
 }
 
 impl NdjsonReader {
     pub(super) fn new(extra: ExtraColumns) -> Self {
-        Self { extra, held: Vec::new(), lines: 0, layout: None, unreadable: Unreadable::default() }
+        Self { extra, lines: Lines::default(), layout: None, unreadable: Unreadable::default() }
     }
 
     pub(super) fn layout(&self) -> Option<Layout> {
@@ -58,35 +55,16 @@ impl NdjsonReader {
     }
 
     pub(super) fn next(&mut self, input: &mut &[u8], last: bool) -> Result<Read, SeriesFault> {
-        loop {
-            let end = input.iter().position(|byte| *byte == b'\n');
-            let (line, rest) = input.split_at(end.unwrap_or(input.len()));
-            if self.held.len() + line.len() > LONGEST_ROW {
-                return Err(self.fault(0, format!("a line may have at most {LONGEST_ROW} bytes")));
-            }
-            *input = rest.split_first().map_or(rest, |(_, rest)| rest);
-            if end.is_none() && !last {
-                self.held.extend_from_slice(line);
-                return Ok(Read::More);
-            }
-            let held = std::mem::take(&mut self.held);
-            let row = if held.is_empty() { self.row(line) } else { self.row(&[&held, line].concat()) }?;
-            self.lines += u64::from(end.is_some());
-            match row {
-                Some(row) => return Ok(Read::Row(row)),
-                None if end.is_none() && self.layout.is_none() => return Err(self.fault(0, "the series has no samples")),
-                None if end.is_none() => return Ok(Read::End),
-                None => {}
-            }
+        match self.lines.next(input, last)? {
+            Line::Text(line) => self.row(&line).map(Read::Row),
+            Line::More => Ok(Read::More),
+            Line::End if self.layout.is_none() => Err(self.fault(0, "the series has no samples")),
+            Line::End => Ok(Read::End),
         }
     }
 
-    /// The sample of a line; none where it is blank.
-    fn row(&mut self, line: &[u8]) -> Result<Option<Row>, SeriesFault> {
-        let line = if self.lines == 0 { line.strip_prefix("\u{feff}".as_bytes()).unwrap_or(line) } else { line };
-        if line.trim_ascii().is_empty() {
-            return Ok(None);
-        }
+    /// The sample of a line.
+    fn row(&mut self, line: &[u8]) -> Result<Row, SeriesFault> {
         let text; // what the words that are no numbers were replaced in
         let sample = match json(line) {
             Ok(sample) => sample,
@@ -124,7 +102,7 @@ impl NdjsonReader {
             }
         }
         self.layout.get_or_insert(given);
-        Ok(Some(row))
+        Ok(row)
     }
 
     fn parsed<'t>(&self, (text, longer_at): &'t (Vec<u8>, Vec<usize>)) -> Result<Node<'t>, SeriesFault> {
@@ -140,7 +118,7 @@ impl NdjsonReader {
     }
 
     fn fault(&self, column: usize, detail: impl Into<String>) -> SeriesFault {
-        SeriesFault { line: self.lines + 1, column, detail: detail.into() }
+        self.lines.fault(column, detail)
     }
 }
 

@@ -34,7 +34,7 @@ pub(crate) fn varied_field(object: &'static Object, pointer: &str, place: &Scope
 }
 
 /// The faults that all of some rows have, which no value of the varied fields mends.
-pub(super) fn shared(of_rows: &[Vec<FieldFault>], pointers: &[String]) -> Vec<RowFault> {
+pub(crate) fn shared(of_rows: &[Vec<FieldFault>], pointers: &[String]) -> Vec<RowFault> {
     let Some((first, others)) = of_rows.split_first() else { return Vec::new() };
     let field = |fault: &FieldFault| pointers.iter().position(|pointer| *pointer == fault.pointer);
     let is_shared = |fault: &FieldFault| {

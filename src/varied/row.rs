@@ -1,7 +1,8 @@
 //! What an operation gives for one of many cases: a row of numbers, and how it went.
 
-use terramechanics_reading::FieldFault;
+use terramechanics_reading::{FieldFault, Path};
 
+use super::setter::{IsSent, Setter};
 use crate::compute::Cost;
 use crate::quantity::About;
 use crate::request::Request;
@@ -24,7 +25,7 @@ impl RowStatus {
     pub(crate) const ALL: [Self; 4] = [Self::Ok, Self::Invalid, Self::NoSolution, Self::NotClimbed];
 
     /// Its name on the wire.
-    pub(crate) fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Ok => "ok",
             Self::Invalid => "invalid",
@@ -35,7 +36,7 @@ impl RowStatus {
 }
 
 /// A request that gives a row of numbers, so that many of them make a table.
-pub(crate) trait Varied: Request {
+pub(crate) trait Varied: Request + Sync {
     /// The columns of a row.
     fn columns(&self) -> Vec<&'static About>;
 
@@ -46,6 +47,17 @@ pub(crate) trait Varied: Request {
 
     /// What so many rows of this kind cost.
     fn cost_of_rows(&self, rows: usize) -> Cost;
+
+    /// How the numbers under `paths` are replaced in such a case without reading its request anew; none where only the reading can
+    /// tell what follows from them.
+    fn setters(&self, _paths: &[Path], _is_sent: IsSent<'_>) -> Option<Vec<Setter>> {
+        None
+    }
+
+    /// The case with other numbers: the one that the request has with them. None where that is refused, or might be.
+    fn with_numbers(&self, _setters: &[Setter], _values: &[f64]) -> Option<Self> {
+        None
+    }
 
     /// Adds the numbers of the row to `cells`, one for each column, NaN where there is none; what is to be said of them goes into
     /// `tally`.

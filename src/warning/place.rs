@@ -39,6 +39,21 @@ impl Rows {
         self.all_named = self.ranges.len() <= MOST_RANGES;
     }
 
+    /// Adds rows behind the others.
+    pub(crate) fn follow(&mut self, later: Self) {
+        let count = self.count + later.count;
+        for [first, last] in later.ranges {
+            let is_full = self.ranges.len() > MOST_RANGES;
+            match self.ranges.last_mut() {
+                Some([_, end]) if *end + 1 == first => *end = last,
+                _ if is_full => break,
+                _ => self.ranges.push([first, last]),
+            }
+        }
+        self.count = count;
+        self.all_named &= later.all_named && self.ranges.len() <= MOST_RANGES;
+    }
+
     /// A number of rows of which only the first is known.
     pub(crate) fn counted(count: u64, first: u64) -> Self {
         Self { ranges: vec![[first, first]], count, all_named: count == 1 }
@@ -92,6 +107,9 @@ mod tests {
         let mut rows = Rows::none();
         [0, 2, 2, 3].into_iter().for_each(|row| rows.push(row));
         assert_eq!((rows.in_words().as_str(), rows.count()), ("at rows 0 and 2 to 3", 3));
+        let mut joined = Rows::of(&[1, 2]);
+        joined.follow(Rows::of(&[3, 7]));
+        assert_eq!((joined.in_words().as_str(), joined.count()), ("at rows 1 to 3 and 7", 4));
         assert_eq!(Rows::counted(7, 3).in_words(), "at 7 rows, the first of them 3");
         assert_eq!(Rows::counted(1, 3).in_words(), "at row 3");
     }

@@ -2,6 +2,7 @@
 
 use terramechanics::Nearest;
 use terramechanics_identification::{DesignGap, StopReason};
+use terramechanics_uncertainty::Bounds;
 
 use super::Measure;
 use super::figure::Figure;
@@ -125,8 +126,27 @@ findings! { many;
     "invalid_row" InvalidRow { pointer: String, detail: String }
     means "The values of some rows make no request that could be computed: which rows, and what is wrong with the first."
     field pointer.as_str(),
-    says format!("the values make no request{}: `{pointer}` {detail}.", if many { ". That of the first" } else { "" }),
+    says {
+        let place = if pointer.is_empty() { String::new() } else { format!("`{pointer}` ") };
+        format!("the values make no request{}: {place}{detail}.", if many { ". That of the first" } else { "" })
+    },
     advises "Leave these values out.";
+
+    "truncated_distribution" TruncatedDistribution { pointer: String, field: String, share: f64, bounds: Bounds }
+    means "Part of the distribution of an uncertain field lies outside what the field may be and is cut off: which share. The rest grows to 1, so that mean and deviation are no longer those that were sent."
+    about Measure::of("share_cut", *share),
+    field pointer.as_str(),
+    says format!(
+        "a share of {} of the distribution of `{field}` lies outside what the field may be, {bounds}, and is cut off.",
+        number(*share)
+    ),
+    advises "Send a lognormal or triangular distribution, or quantiles, if that share is not small.";
+
+    "samples_unanswered" SamplesUnanswered { count: u64, all: u64 }
+    means "Samples of an uncertain request have no answer: how many. A band is made of the samples that have a value, so that it holds on condition that there is one."
+    about Measure::of("unanswered", *count as f64).in_unit("1"),
+    says format!("{count} of {all} samples have no answer; `answered` tells how many samples each band has."),
+    advises "`status` counts why; `least` and `most` of a probability take them into account. Narrow the inputs if they are many.";
 
     "no_solution" NoSolution { reason: Reason, pointer: &'static str }
     means "Points of a sweep or samples of a track have no solution: which, and why the first has none."

@@ -17,6 +17,41 @@ pub(crate) struct Tally {
 }
 
 impl Tally {
+    /// Of rows of which `first` come before.
+    pub(crate) fn behind(first: u64) -> Self {
+        Self { row: first, rows: first, ..Self::default() }
+    }
+
+    /// Adds what rows have given that come behind these.
+    pub(crate) fn follow(&mut self, later: Self) {
+        self.rows = later.rows;
+        for (caution, varies, rows) in later.cautions {
+            match self.cautions.iter_mut().find(|(known, ..)| std::ptr::eq(known.kind, caution.kind)) {
+                Some((worst, varied, known)) => {
+                    *varied |= varies || caution.value.to_bits() != worst.value.to_bits();
+                    if caution.excess() > worst.excess() {
+                        *worst = caution;
+                    }
+                    known.follow(rows);
+                }
+                None => self.cautions.push((caution, varies, rows)),
+            }
+        }
+        for (finding, rows) in later.findings {
+            if let Some(known) = self.same(&finding) {
+                known.follow(rows);
+            } else if self.findings.len() < MOST_FINDINGS {
+                self.findings.push((finding, rows));
+            }
+        }
+    }
+
+    /// The rows of a finding of that kind about that field.
+    fn same(&mut self, finding: &Finding) -> Option<&mut Rows> {
+        let is_same = |known: &Finding| known.code() == finding.code() && known.pointer() == finding.pointer();
+        self.findings.iter_mut().find(|(known, _)| is_same(known)).map(|(_, rows)| rows)
+    }
+
     /// The next row begins.
     pub(crate) fn begin_row(&mut self) {
         self.row = self.rows;
@@ -40,9 +75,9 @@ impl Tally {
 
     /// The row has a finding; of those of one kind about one field the first is told.
     pub(crate) fn finding(&mut self, finding: Finding) {
-        let is_same = |known: &Finding| known.code() == finding.code() && known.pointer() == finding.pointer();
-        if let Some((_, rows)) = self.findings.iter_mut().find(|(known, _)| is_same(known)) {
-            return rows.push(self.row);
+        let row = self.row;
+        if let Some(rows) = self.same(&finding) {
+            return rows.push(row);
         }
         if self.findings.len() < MOST_FINDINGS {
             let mut rows = Rows::none();
@@ -51,10 +86,11 @@ impl Tally {
         }
     }
 
-    /// The warnings: findings first, each with its rows unless it holds for all of several cautions.
+    /// The warnings: findings first, each with its rows unless there is but one, or it is a caution of all.
     pub(crate) fn into_warnings(self) -> Vec<Warning> {
         let all = self.rows;
-        let findings = self.findings.into_iter().map(|(finding, rows)| Warning::from(finding).at(rows));
+        let finding = |(finding, rows)| if all <= 1 { Warning::from(finding) } else { Warning::from(finding).at(rows) };
+        let findings = self.findings.into_iter().map(finding);
         let cautions = self.cautions.into_iter().map(move |(caution, varies, rows)| {
             let warning = Warning::from(caution).varying(varies);
             if rows.count() == all { warning } else { warning.at(rows) }

@@ -2,7 +2,7 @@
 
 import { answer } from "./client.js";
 
-/** @import { Catalogue, Comparison, CompareRequest, Forces, ForcesRequest, Identification, IdentifyRequest, Model, SlipSweep, SlipSweepRequest, StressProfile, StressProfileRequest, Track, TrackColumns, TrackRequest, Validation, VehicleOnSlope, VehicleOverSlopes, VehicleRequest } from "./types.js" */
+/** @import { Catalogue, Comparison, CompareRequest, CoupledForces, CoupledRequest, Forces, ForcesRequest, Identification, IdentifyRequest, Model, Resistances, ResistancesRequest, SlipSweep, SlipSweepRequest, StressProfile, StressProfileRequest, Towed, TowedRequest, Track, TrackColumns, TrackRequest, Validation, VehicleOnSlope, VehicleOverSlopes, VehicleRequest } from "./types.js" */
 
 /** A search may use up the time that the service allows a computation. */
 const SEARCH_PATIENCE_MS = 60_000;
@@ -14,6 +14,9 @@ const SEARCH_PATIENCE_MS = 60_000;
  *   "/v1/stress-profile": { body: StressProfileRequest, answer: StressProfile },
  *   "/v1/slip-sweep": { body: SlipSweepRequest, answer: SlipSweep },
  *   "/v1/vehicle": { body: VehicleRequest, answer: VehicleOnSlope | VehicleOverSlopes },
+ *   "/v1/towed": { body: TowedRequest, answer: Towed },
+ *   "/v1/resistances": { body: ResistancesRequest, answer: Resistances },
+ *   "/v1/coupled": { body: CoupledRequest, answer: CoupledForces },
  *   "/v1/compare": { body: CompareRequest, answer: Comparison },
  * }} Drawn
  */

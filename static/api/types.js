@@ -40,6 +40,12 @@
 /** @typedef {Schemas["VehicleRequest"]} VehicleRequest */
 /** @typedef {Schemas["VehicleOnSlope"]} VehicleOnSlope */
 /** @typedef {Schemas["VehicleOverSlopes"]} VehicleOverSlopes */
+/** @typedef {Schemas["Towed"]} Towed */
+/** @typedef {Schemas["TowedRequest"]} TowedRequest */
+/** @typedef {Schemas["Resistances"]} Resistances */
+/** @typedef {Schemas["ResistancesRequest"]} ResistancesRequest */
+/** @typedef {Schemas["CoupledForces"]} CoupledForces */
+/** @typedef {Schemas["CoupledRequest"]} CoupledRequest */
 /** @typedef {Schemas["Model"]} Model */
 /** @typedef {Schemas["Equation"]} Equation */
 /** @typedef {Schemas["ParameterNote"]} ParameterNote */

@@ -15,6 +15,8 @@ import { EXIT, lawsOf } from "../quantities/law-fields.js";
 
 /** @type {Choice[]} */
 const CHOICES = [
+  { key: "drive", pointer: "/drive", label: "The wheels turn",
+    options: { one_slip: "At one slip: at one speed", equal_torque: "At equal torques: motors on one current" } },
   { key: "braking_law", pointer: "/braking", label: "Shear zones of a braking wheel",
     options: { one_zone: "One: as under a driving wheel", two_zone: "Two: Wong and Reece" } },
   { key: "exit", pointer: EXIT, label: "End of the contact",

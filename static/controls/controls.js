@@ -28,7 +28,7 @@ import { createFieldRow } from "./field-row.js";
  */
 const SECTIONS = {
   wheel: { fields: ["wheel"], choices: [] },
-  strength: { fields: ["strength", "grains", ...groupsOf(SHEAR)], choices: ["shear"] },
+  strength: { fields: ["strength", "unit_weight", "grains", ...groupsOf(SHEAR)], choices: ["shear"] },
   pressure: { fields: groupsOf(PRESSURE_SINKAGE), choices: ["law"] },
   options: { fields: [...groupsOf(CONTACT), ...groupsOf(EXIT), "interface", "explicit"], choices: ["rule", "exit", "normal_stress_radius", "slip_radius", "shear_displacement_radius", "peak_sinkage"] },
 };
@@ -39,8 +39,10 @@ const CHOICE_POINTERS = {
   wheel: "/wheel", soil: "/soil", method: "/method", law: "/soil/pressure_sinkage", shear: "/soil/shear",
   rule: "/contact", ...LISTED_POINTERS,
 };
-const TICKS = ["compare", "braking", "load_known", "assume", "rover", "rut"];
+const TICKS = ["compare", "braking", "load_known", "assume", "rover", "rut", "further"];
 const PRESETS = ["wheel", "soil"];
+/** Choices that take any text. */
+const TEXTS = ["axles", "fitted"];
 
 /** @param {string} text */
 const inWords = (text) => capitalised(text.replaceAll("_", " "));
@@ -127,6 +129,7 @@ export function createControls(form, onChange) {
       followsPreset: PRESET_GROUPS.includes(field.group),
       onText: (text) => onChange({ [field.key]: text }, { discrete: false }),
       onReset: () => onChange({ [field.key]: null }, { discrete: true }),
+      onMeant: (text) => onChange({ [field.key]: text }, { discrete: true }),
       onAssume: () => onChange({ assume: "1" }, { discrete: true }),
     });
     find(form, `[data-fields="${field.group}"]`).append(row.element);
@@ -161,7 +164,7 @@ export function createControls(form, onChange) {
      */
     offers(key, value) {
       if (PRESETS.includes(key) && !isFilled) return true;
-      if (key === "axles") return true;
+      if (TEXTS.includes(key)) return true;
       if (TICKS.includes(key)) return value === "" || value === "1";
       const input = form.elements.namedItem(key);
       const offered = input instanceof HTMLSelectElement ? [...input.options] : radios;

@@ -3,7 +3,7 @@
 import { html } from "../dom/elements.js";
 import { sentenceHtml, symbolHtml } from "../dom/text.js";
 import { plainNumber } from "../numbers/plain.js";
-import { baseText, fieldText, widened } from "../quantities/field-values.js";
+import { baseText, fieldText, percentageMeant, widened } from "../quantities/field-values.js";
 import { beforeUnit } from "../quantities/units.js";
 
 /** @import { Field } from "../quantities/fields.js" */
@@ -17,6 +17,7 @@ import { beforeUnit } from "../quantities/units.js";
  * @property {boolean} followsPreset such a field is marked while it is changed; any other, such as the slip, is simply set
  * @property {(text: string | null) => void} onText null for the preset's own value
  * @property {() => void} onReset
+ * @property {(text: string) => void} onMeant takes the percentage that a ratio stood for
  * @property {() => void} onAssume takes what the catalogue proposes where no value was published
  */
 
@@ -38,7 +39,7 @@ function nudged(text, step) {
  */
 function numberBox({ signed, word }, name) {
   const box = html("input", {
-    type: "text", id: name, name, spellcheck: "false", inputmode: signed ? "text" : "decimal", "aria-describedby": `${name}-unit ${name}-fault ${name}-substitute ${name}-note`,
+    type: "text", id: name, name, spellcheck: "false", inputmode: signed ? "text" : "decimal", "aria-describedby": `${name}-unit ${name}-fault ${name}-substitute ${name}-note ${name}-question`,
   });
   if (word) box.setAttribute("list", `${name}-words`);
   return box;
@@ -48,7 +49,7 @@ function numberBox({ signed, word }, name) {
  * @param {Field} field
  * @param {RowEvents} events
  */
-export function createFieldRow(field, { followsPreset, onText, onReset, onAssume }) {
+export function createFieldRow(field, { followsPreset, onText, onReset, onMeant, onAssume }) {
   const { name, label, word } = field;
   const unit = field.unit.text;
   const unset = field.blank ?? "unknown";
@@ -58,6 +59,7 @@ export function createFieldRow(field, { followsPreset, onText, onReset, onAssume
   const reset = html("button", { type: "button", class: "reset", "data-reset": name, hidden: true }, "↺");
   const fault = html("p", { class: "fault", id: `${name}-fault`, "data-fault": field.pointer, hidden: true });
   const note = html("p", { class: "substitute", id: `${name}-note`, hidden: true });
+  const question = html("p", { class: "substitute", id: `${name}-question`, hidden: true });
   const substitute = html("p", { class: "substitute", id: `${name}-substitute`, hidden: true });
   const slider = field.slider ? html("input", { type: "range", "data-slider": name, "aria-labelledby": `${name}-label` }) : null;
   const element = html("div", { class: "field", "data-field": name },
@@ -66,6 +68,7 @@ export function createFieldRow(field, { followsPreset, onText, onReset, onAssume
     ...(word ? [html("datalist", { id: `${name}-words` }, html("option", { value: "0" }), html("option", { value: word }))] : []),
     ...(slider ? [slider] : []),
     note,
+    question,
     substitute,
     fault);
 
@@ -100,6 +103,19 @@ export function createFieldRow(field, { followsPreset, onText, onReset, onAssume
     Object.assign(input, { min: String(min), max: String(max), step: String(step) });
     input.value = plainNumber(text) ?? input.min;
     input.setAttribute("aria-valuetext", text === "" ? unset : `${text} ${unit}`.trim());
+  }
+
+  /** @param {string | null} text as typed */
+  function ask(text) {
+    const meant = percentageMeant(field, text);
+    question.hidden = meant === null;
+    if (meant === null) return question.replaceChildren();
+    const use = html("button", { type: "button", class: "small", "data-meant": name }, `Use ${meant}\u00a0%`);
+    use.addEventListener("click", () => {
+      onMeant(meant);
+      box.focus();
+    });
+    question.replaceChildren(`${text} % is less than one percent. Was ${meant} % meant? `, use);
   }
 
   /**
@@ -142,6 +158,7 @@ export function createFieldRow(field, { followsPreset, onText, onReset, onAssume
     reset.title = `Changed; the preset: ${usualText}`;
     reset.setAttribute("aria-label", `${label} is changed. Reset to the preset: ${usualText}`);
     if (slider) showSlider(slider, text, context);
+    ask(state[field.key]);
     showSubstitute(state, context);
   }
 

@@ -12,6 +12,12 @@ import { inPercent, slipAxis } from "./slip-axis.js";
 /** @typedef {{ method: string, columns: SweepColumns }} SweepSeries */
 
 /**
+ * Points over slip, and how far each lies from what is predicted for it at its own load or sinkage, by quantity (SI): null where that is
+ * not known.
+ * @typedef {{ data: FitData, errors: Record<string, number> | null }} Measured
+ */
+
+/**
  * @typedef {object} ShownSweep
  * @property {SweepSeries[]} series
  * @property {{ method: Method, forces: Forces | null }[]} byMethod the forces at the chosen slip, which need not be one of the sweep's
@@ -29,22 +35,34 @@ const AXIS_LIMITS = { tractive_efficiency: { min: -50, max: 100 }, drawbar_coeff
 const MISSING = { tractive_efficiency: "not defined", drawbar_coefficient: "not defined" };
 
 /**
+ * Root mean square of the points: from what is predicted for each at its own load or sinkage where that is known, else from the curve.
+ * @param {string} name
+ * @param {Measured} measured
+ * @param {SweepColumns} columns
+ */
+function rmsText(name, { data, errors }, columns) {
+  // The load of a row is what its prediction starts from.
+  if (errors) return name in errors ? `rms ${quantity(name, errors[name])}, each at its own ${data.sinkage_m ? "sinkage" : "load"}` : "";
+  const { rms } = distanceFromCurve(name, data, columns);
+  return rms === null ? "" : `rms ${quantity(name, rms)} from the curve`;
+}
+
+/**
  * Measured points over the curve of a quantity, if it was measured.
  * @param {string} name
- * @param {FitData | null} measured
+ * @param {Measured | null} measured
  * @param {SweepColumns} columns
  * @returns {Points | null}
  */
 function measuredPoints(name, measured, columns) {
-  const values = measured?.[/** @type {keyof FitData} */ (name)];
+  const values = measured?.data[/** @type {keyof FitData} */ (name)];
   if (!measured || !values) return null;
-  const { rms } = distanceFromCurve(name, measured, columns);
   const { factor } = QUANTITIES[name];
   return {
     key: "measured",
     name: "Measured",
-    reading: rms === null ? "" : `rms ${quantity(name, rms)}`,
-    points: inPercent(measured.slip).map((at, row) => ({ at, value: values[row] * factor })),
+    reading: rmsText(name, measured, columns),
+    points: inPercent(measured.data.slip).map((at, row) => ({ at, value: values[row] * factor })),
   };
 }
 
@@ -61,7 +79,7 @@ function resultOf(name, { components, ...forces }) {
 /**
  * @param {string} name
  * @param {ShownSweep} sweep
- * @param {FitData | null} measured
+ * @param {Measured | null} measured
  * @returns {ChartSpec}
  */
 export function sweepSpec(name, { series, byMethod, slip, method: chosen, basis }, measured = null) {

@@ -9,8 +9,7 @@ import { identifyBody } from "../state/measured-bodies.js";
 import { fillFitForm } from "./form.js";
 import { showFit } from "./result.js";
 
-/** @import { FitParameter, Identification } from "../api/types.js" */
-/** @import { Found } from "../state/found-soil.js" */
+/** @import { FitData, FitParameter, Identification } from "../api/types.js" */
 /** @import { Settings } from "../state/settings.js" */
 /** @import { SlipPoints } from "../table/samples.js" */
 
@@ -18,7 +17,7 @@ import { showFit } from "./result.js";
  * @typedef {object} IdentificationEvents
  * @property {() => Settings} settings what is on the page
  * @property {() => SlipPoints | null} points
- * @property {(found: Found) => void} onSoil
+ * @property {(found: Identification, data: FitData) => void} onSoil takes what was found, and what it was fitted to
  */
 
 /** @type {Record<string, string>} */
@@ -57,7 +56,7 @@ export function connectIdentification(form, { settings, points, onSoil }) {
   const parts = fillFitForm(form);
   const { boxes, controls, status, result, residuals, warnings, use } = parts;
   const search = createSearch({ form, running: "fitting", done: "fitted", status, results: [result, residuals, warnings, use], controls });
-  /** @type {Identification | null} */
+  /** @type {{ answer: Identification, data: FitData } | null} */
   let found = null;
 
   onSubmit(form, () => {
@@ -75,7 +74,7 @@ export function connectIdentification(form, { settings, points, onSoil }) {
       text: `Fitting ${fit.length} ${fit.length === 1 ? "parameter" : "parameters"} to ${lines.length} rows…`,
       ask: (signal) => identify(identifyBody(now, fit, data), signal),
       onAnswer(answer) {
-        found = answer;
+        found = { answer, data };
         showFit(parts, answer, { fit, lines, law: now.law });
         use.hidden = false;
       },
@@ -85,7 +84,7 @@ export function connectIdentification(form, { settings, points, onSoil }) {
 
   use.addEventListener("click", () => {
     if (!found) return;
-    onSoil(found);
+    onSoil(found.answer, found.data);
     status.textContent = "The page now uses the soil that was found. The back button undoes this.";
   });
 

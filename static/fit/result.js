@@ -3,7 +3,7 @@
 import { html } from "../dom/elements.js";
 import { columnHeads, rowHead, table } from "../dom/tables.js";
 import { sentenceHtml, symbolHtml } from "../dom/text.js";
-import { LAW_FIELDS, PRESSURE_SINKAGE } from "../quantities/law-fields.js";
+import { LAW_FIELDS, PRESSURE_SINKAGE, lawIn } from "../quantities/law-fields.js";
 import { MEASURED } from "../quantities/measured.js";
 import { PARAMETERS, fieldOf, valueText } from "../quantities/parameters.js";
 import { methodName, quantity } from "../quantities/results.js";
@@ -21,7 +21,7 @@ import { showResiduals } from "./residuals.js";
 const HEADS = ["Parameter", "Estimate", "95 % interval", "Do the data determine it?"];
 
 /** @param {Identification} reply */
-const foundLaw = ({ soil }) => soil.pressure_sinkage?.law ?? "direct";
+const foundLaw = ({ soil }) => lawIn(soil.pressure_sinkage) ?? "direct";
 
 /**
  * @param {ParameterEstimate} estimate

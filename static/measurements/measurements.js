@@ -3,22 +3,24 @@
 import { html } from "../dom/elements.js";
 import { byId, find } from "../dom/find.js";
 import { connectIdentification } from "../fit/identification.js";
+import { methodName } from "../quantities/results.js";
 import { guessColumns } from "../table/columns.js";
 import { mappingTable, markWrong } from "../table/mapping.js";
 import { TableFault, parseTable } from "../table/parse.js";
 import { samplesOf } from "../table/samples.js";
 import { connectTelemetry } from "../telemetry/telemetry.js";
 import { distanceTable } from "./distance-table.js";
+import { createOwnPoints } from "./own-point.js";
 import { useOf } from "./use.js";
 
-/** @import { SweepSeries } from "../figures/over-slip.js" */
+/** @import { Measured, SweepSeries } from "../figures/over-slip.js" */
 /** @import { Found } from "../state/found-soil.js" */
 /** @import { Settings } from "../state/settings.js" */
 /** @import { Mapping } from "../table/columns.js" */
 /** @import { Table } from "../table/parse.js" */
 /** @import { Samples } from "../table/samples.js" */
 
-/** A table that was read, with what its columns are and what that gives. @typedef {{ table: Table, mapping: Mapping, samples: Samples }} Read */
+/** A table that was read, with what its columns are and what that gives. @typedef {{ file: string, table: Table, mapping: Mapping, samples: Samples }} Read */
 
 /** @typedef {ReturnType<typeof createMeasurements>} Measurements */
 
@@ -28,12 +30,14 @@ import { useOf } from "./use.js";
  * @property {() => void} onData called when the points over slip are others
  * @property {() => void} onLoadKnown gives the static sinkage and the load on the page
  * @property {(circle: string) => void} onCircle sets the circle on which a slip is counted
- * @property {(found: Found) => void} onSoil takes a soil that was found
+ * @property {(found: Found & { file: string }) => void} onSoil takes a soil that was found, and the file it was found from
  */
 
 const MOST_FAULTS = 10;
 /** Far beyond the rows that the service takes: a larger file is something else. */
 const MOST_BYTES = 20_000_000;
+/** Of the name of a file, which stands in legends and in the address. */
+const MOST_LETTERS = 80;
 
 /** @param {File} file */
 async function tableIn(file) {
@@ -71,7 +75,17 @@ export function createMeasurements(section, { settings, onData, onSoil, onLoadKn
   const points = () => usable()?.points ?? null;
   const data = () => points()?.data ?? null;
 
-  const identification = connectIdentification(byId("identification"), { settings, points, onSoil });
+  const ownPoints = createOwnPoints();
+  const errors = () => ownPoints.errors(data(), settings());
+  const identification = connectIdentification(byId("identification"), {
+    settings,
+    points,
+    onSoil(found, fitted) {
+      if (!read) return;
+      onSoil({ soil: found.soil, contact: found.contact, file: read.file });
+      ownPoints.take(found.rmse, fitted, settings());
+    },
+  });
   const telemetry = connectTelemetry(byId("telemetry"), {
     settings,
     onLoadKnown,
@@ -106,8 +120,12 @@ export function createMeasurements(section, { settings, onData, onSoil, onLoadKn
     if (measured === null) return;
     const outside = measured.slip.filter((slip) => slip < shown[0].columns.slip[0]).length;
     const advice = outside ? ` Points at negative slip (${outside}) lie left of the curves: include braking to see them.` : "";
-    distances.replaceChildren(distanceTable(measured, shown), html("p", { class: "figure-note" },
-      `The curves are those of the one sinkage or load set on this page. A fit uses each row’s own, and gives the residual of each row.${advice}`));
+    const own = errors();
+    const { method } = settings();
+    const note = own
+      ? `${methodName(method)} has the soil of the fit: each row is judged by what is predicted at its own ${measured.sinkage_m ? "sinkage" : "load"}. The curves are those of the one on this page.`
+      : "The curves are those of the one sinkage or load set on this page. A fit uses each row’s own, and gives the residual of each row.";
+    distances.replaceChildren(distanceTable(measured, shown, own && { method, errors: own }), html("p", { class: "figure-note" }, note + advice));
   }
 
   /**
@@ -124,11 +142,12 @@ export function createMeasurements(section, { settings, onData, onSoil, onLoadKn
   }
 
   /**
+   * @param {string} file
    * @param {Table} table
    * @param {Mapping} mapping
    */
-  function take(table, mapping) {
-    read = { table, mapping, samples: samplesOf(table, mapping) };
+  function take(file, table, mapping) {
+    read = { file, table, mapping, samples: samplesOf(table, mapping) };
     section.dataset.state = usable() ? "ready" : "refused";
     tellFaults(read.samples.faults);
     tellCircle();
@@ -150,15 +169,15 @@ export function createMeasurements(section, { settings, onData, onSoil, onLoadKn
     onData();
   }
 
-  /** @param {Table} table */
-  function show(table) {
+  /** @param {string} file @param {Table} table */
+  function show(file, table) {
     const mapping = guessColumns(table.columns);
     preview.replaceChildren(mappingTable(table, mapping, (column, mapped) => {
       mapping[column] = mapped;
-      take(table, mapping);
+      take(file, table, mapping);
     }));
     for (const element of [preview, remove]) element.hidden = false;
-    take(table, mapping);
+    take(file, table, mapping);
   }
 
   /**
@@ -185,7 +204,7 @@ export function createMeasurements(section, { settings, onData, onSoil, onLoadKn
       if (mine === latest) refuse(file.name, error);
       return;
     }
-    if (mine === latest) show(table);
+    if (mine === latest) show(file.name.slice(0, MOST_LETTERS), table);
   }
 
   remove.addEventListener("click", () => {
@@ -196,7 +215,11 @@ export function createMeasurements(section, { settings, onData, onSoil, onLoadKn
 
   return {
     load,
-    data,
+    /** @returns {Measured | null} */
+    measured() {
+      const measured = data();
+      return measured && { data: measured, errors: errors() };
+    },
     compare,
     /** Tells what holds of the table under the inputs as they are now. */
     tell() {

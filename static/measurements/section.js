@@ -46,7 +46,7 @@ export function connectMeasurements(section, events) {
 
   return {
     /** The points over slip, if there are any. */
-    data: () => loaded?.data() ?? null,
+    measured: () => loaded?.measured() ?? null,
     /** @param {SweepSeries[]} shown the curves that are drawn */
     compare(shown) {
       series = shown;

@@ -2,6 +2,7 @@
 
 import { MAYBE_THOUSANDS, plainNumber, withPlainMinus } from "../numbers/plain.js";
 import { roundedUp } from "../numbers/steps.js";
+import { PERCENT } from "./units.js";
 
 /** @import { Field, Preset, SliderRange } from "./fields.js" */
 
@@ -68,6 +69,17 @@ export function siFromText(field, text) {
 export function numberIn(field, text, preset) {
   const value = text === null ? field.base(preset) : siFromText(field, text);
   return typeof value === "number" ? value : null;
+}
+
+/**
+ * A ratio may have been typed where a percentage is asked for: the percentage that it would be, or null where the text is none.
+ * @param {Field} field
+ * @param {string | null} text as typed
+ */
+export function percentageMeant({ unit }, text) {
+  const plain = unit === PERCENT && text !== null ? plainNumber(text) : null;
+  const value = plain === null ? 0 : Math.abs(Number(plain));
+  return plain !== null && value > 0 && value < 1 ? String(Number(PERCENT.fromSi(Number(plain)).toPrecision(SHOWN_DIGITS))) : null;
 }
 
 /**

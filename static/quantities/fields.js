@@ -4,7 +4,7 @@ import { roundStep, roundedUp } from "../numbers/steps.js";
 import { asField, noteAt } from "./declared.js";
 import { LAW_FIELDS } from "./law-fields.js";
 import { ROVER_FIELDS } from "./rover-fields.js";
-import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
+import { DEGREE, MILLIMETRE, NEWTON, NEWTON_METRE, ONE, PERCENT } from "./units.js";
 
 /** @import { CatalogueLaw, CatalogueSoil, CatalogueSubstitute, CatalogueWheel } from "../api/types.js" */
 /** @import { Dress } from "./declared.js" */
@@ -101,6 +101,8 @@ const OPERATION = [
     base: () => 0.01, slider: sinkageRange },
   { group: "slip_angle", key: "beta_deg", name: "slip_angle", pointer: "/slip_angle_rad", label: "Slip angle", symbol: "β", unit: DEGREE, signed: true,
     base: () => 0, slider: range(-45, 45, 0.5) },
+  { group: "further", key: "torque_nm", name: "measured_torque", pointer: "/torque_n_m", label: "Measured torque", symbol: "T", unit: NEWTON_METRE, signed: true,
+    base: () => undefined, blank: "none" },
 ];
 
 /**
@@ -119,6 +121,7 @@ const PARAMETERS = [
   ofSoil("friction_angle_rad", { key: "phi_deg", name: "friction_angle", slider: [0, 60, 0.5] }),
   ofSoil("bulk_density_kg_m3", { key: "rho_kg_m3", name: "bulk_density", slider: [800, 2200, 5] }, "grains"),
   ofSoil("gravity_m_s2", { key: "g_m_s2", name: "gravity", slider: [0.1, 10, 0.01], blank: "9.80665" }, "grains"),
+  ofSoil("unit_weight_n_m3", { key: "gamma_soil_kn_m3", name: "soil_unit_weight", blank: "not given" }, "unit_weight"),
   ofSoil("granular_stiffness_n_m3", { key: "xi_kn_m3", name: "granular_stiffness", blank: "from ρ" }, "grains"),
 ];
 

@@ -17,6 +17,12 @@ export const EXIT = "/contact/exit";
 export const SLIP_SINKAGE = "/slip_sinkage";
 
 /**
+ * The law among its values: none where they only replace those of a preset's law.
+ * @param {object | undefined} values
+ */
+export const lawIn = (values) => (values && "law" in values ? String(values.law) : undefined);
+
+/**
  * The catalogue's values for a family. Those that stand in the soil itself are not among them.
  * @type {Record<string, (preset: Preset) => CatalogueLaw>}
  */

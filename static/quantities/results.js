@@ -39,6 +39,11 @@ export const QUANTITIES = {
   power_w: { name: "Power", unit: "W", factor: 1 },
   largest_slope_rad: { name: "Largest slope", unit: "°", factor: 180 / Math.PI },
   gravity_m_s2: { name: "Gravity", unit: "m/s²", factor: 1 },
+  towing_resistance_n: { name: "Towing resistance", unit: "N", factor: 1 },
+  rigid_wheel_sinkage_m: { name: "Sinkage without slip", unit: "mm", factor: 1e3 },
+  compaction_resistance_n: { name: "Compaction resistance", unit: "N", factor: 1 },
+  bulldozing_resistance_n: { name: "Bulldozing resistance", unit: "N", factor: 1 },
+  thrust_n: { name: "Thrust", unit: "N", factor: 1 },
   shearing_radius_m: { name: "Shearing radius", unit: "mm", factor: 1e3 },
 };
 

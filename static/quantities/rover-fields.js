@@ -29,6 +29,8 @@ export const ROVER_FIELDS = [
   { group: "rover", key: "rover_g_m_s2", name: "rover_gravity", pointer: "/gravity_m_s2", label: "Gravity", symbol: "g", unit: ACCELERATION,
     base: () => undefined, blank: "the soil’s" },
   { group: "rover", key: "hitch_n", name: "hitch_pull", pointer: "/hitch_pull_n", label: "Hitch pull", symbol: "D", unit: NEWTON, signed: true, base: () => 0 },
+  { group: "rover_stations", key: "hitch_height_mm", name: "hitch_height", pointer: "/hitch_height_m", label: "Height of the hitch", symbol: "h_D", unit: MILLIMETRE,
+    base: () => undefined, blank: "0" },
   { group: "rover", key: "slip_limit_pct", name: "slip_limit", pointer: "/slip_limit", label: "Slip limit", symbol: "s", unit: PERCENT,
     base: () => 0.6, slider: range(1, 100, 1) },
   { group: "rover", key: "rover_v_m_s", name: "rover_velocity", pointer: "/forward_velocity_m_s", label: "Velocity", symbol: "v", unit: SPEED,

@@ -36,6 +36,7 @@ export const factor = (text, toOne) => ({ text, si: "", toSi: (plain) => Number(
 export const ONE = power("", 0);
 export const PERCENT = power("%", -2, "as a ratio");
 export const NEWTON = power("N", 0);
+export const NEWTON_METRE = power("N·m", 0);
 export const MILLIMETRE = power("mm", -3, "in m");
 export const KILOPASCAL = power("kPa", 3, "in Pa");
 export const MODULUS = power("kPa/mᴺ", 3, "in Pa/mᴺ");

@@ -16,16 +16,15 @@ import { showComparison, showGaps } from "./comparison.js";
 import { createAnnouncer, fillParts, showBasis, showTiles } from "./tiles.js";
 import { showWarnings, showWarningsLink } from "./warnings.js";
 
-/** @import { FitData } from "../api/types.js" */
 /** @import { Series, Outcomes } from "../rounds/outcomes.js" */
-/** @import { ShownSweep } from "../figures/over-slip.js" */
+/** @import { Measured, ShownSweep } from "../figures/over-slip.js" */
 /** @import { Settings } from "../state/settings.js" */
 
-/** @typedef {"tiles" | "scene" | "profile" | "sweep" | "rover"} Part */
+/** @typedef {"tiles" | "scene" | "profile" | "sweep" | "rover" | "further"} Part */
 /** @typedef {{ path: string, body: object }} Asked */
 
 /** @type {Part[]} */
-export const ALL_PARTS = ["tiles", "scene", "profile", "sweep", "rover"];
+export const ALL_PARTS = ["tiles", "scene", "profile", "sweep", "rover", "further"];
 
 const SLIP_CHARTS = [
   { id: "longitudinal-force-chart", quantity: "longitudinal_force_n", symbol: "F_x" },
@@ -44,7 +43,7 @@ function fillSlipCharts() {
 /**
  * @typedef {object} ViewEvents
  * @property {() => string} fourth the quantity of the chart that has a choice
- * @property {() => FitData | null} measured
+ * @property {() => Measured | null} measured
  * @property {(series: Series[]) => void} onCurves told when the curves over slip are drawn
  * @property {(slip: number) => void} onPick a slip (%) that was chosen in a chart
  */
@@ -148,7 +147,7 @@ export function createView(app, { fourth, measured, onCurves, onPick }) {
       showAllWarnings(outcomes);
       const { forces, profile, sweep, rover: onSlopes } = outcomes;
       const isRoverAnswered = !onSlopes || Boolean(onSlopes.slope.answer && onSlopes.slopes.answer);
-      const answered = { tiles: forces.answer, scene: forces.answer, profile: profile.answer, sweep: sweep.answer, rover: isRoverAnswered };
+      const answered = { tiles: forces.answer, scene: forces.answer, profile: profile.answer, sweep: sweep.answer, rover: isRoverAnswered, further: !settings.further || outcomes.further };
       return ALL_PARTS.filter((part) => !answered[part]);
     },
 

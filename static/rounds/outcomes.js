@@ -1,19 +1,14 @@
 // What one round asks: the forces, the stresses along the contact, and the sweep over slip, by one method or all.
 
-import { Problem } from "../api/client.js";
-import { post } from "../api/endpoints.js";
 import { compareBody, forcesBody, profileBody, sweepBody } from "../state/bodies.js";
 import { roverBody, slopesBody } from "../state/rover-body.js";
+import { furtherOutcome } from "./further.js";
+import { outcomeOf } from "./outcome.js";
 
-/** @import { Drawn } from "../api/endpoints.js" */
 /** @import { Comparison, FieldFault, Forces, Method, SlipSweep, StressProfile, SweepColumns, VehicleOnSlope, VehicleOverSlopes } from "../api/types.js" */
 /** @import { Settings } from "../state/settings.js" */
-
-/**
- * An answer or a problem, with the request.
- * @template Answer
- * @typedef {{ path: string, body: object, answer: Answer, problem?: undefined } | { path: string, body: object, answer?: undefined, problem: Problem }} Outcome
- */
+/** @import { FurtherOutcome } from "./further.js" */
+/** @import { Outcome } from "./outcome.js" */
 
 /** @typedef {SlipSweep | Comparison} Sweep */
 /** @typedef {{ method: string, columns: SweepColumns, gap_to_quadrature?: Comparison["series"][number]["gap_to_quadrature"] }} Series */
@@ -27,26 +22,10 @@ import { roverBody, slopesBody } from "../state/rover-body.js";
  * @property {Outcome<Sweep>} sweep
  * @property {Outcome<StressProfile>} profile
  * @property {RoverOutcome | null} rover null where none is asked for
+ * @property {FurtherOutcome | null} further null where it is not asked for, or has no load
  * @property {MethodOutcome[]} byMethod the forces by all methods asked for
  * @property {Series[]} series their curves
  */
-
-/**
- * A problem is an outcome like an answer. Only a missing answer ends the round.
- * @template {keyof Drawn} Path
- * @param {Path} path
- * @param {Drawn[Path]["body"]} body
- * @param {AbortSignal} signal
- * @returns {Promise<Outcome<Drawn[Path]["answer"]>>}
- */
-async function outcomeOf(path, body, signal) {
-  try {
-    return { path, body, answer: await post(path, body, signal) };
-  } catch (error) {
-    if (error instanceof Problem) return { path, body, problem: error };
-    throw error;
-  }
-}
 
 /**
  * Where a load is given, the profile waits for the sinkage that the chosen method finds, so that both belong together.
@@ -106,7 +85,7 @@ function seriesOf({ answer }) {
  */
 async function refusal(settings, signal) {
   const forces = await outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
-  return forces.problem ? { forces, sweep: forces, profile: forces, rover: settings.rover && { slope: forces, slopes: forces }, byMethod: [], series: [] } : null;
+  return forces.problem ? { forces, sweep: forces, profile: forces, rover: settings.rover && { slope: forces, slopes: forces }, further: null, byMethod: [], series: [] } : null;
 }
 
 /**
@@ -119,14 +98,15 @@ export async function askAll(settings, signal) {
   if (refused) return refused;
   const asked = new Map(settings.methods.map((method) => [method, outcomeOf("/v1/forces", forcesBody(settings, method), signal)]));
   const chosen = asked.get(settings.method) ?? outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
-  const [forces, profile, sweep, rover, ...byMethod] = await Promise.all([
+  const [forces, profile, sweep, rover, further, ...byMethod] = await Promise.all([
     chosen,
     profileOutcome(settings, chosen, signal),
     sweepOutcome(settings, signal),
     roverOutcome(settings, signal),
+    furtherOutcome(settings, chosen, signal),
     ...[...asked].map(async ([method, outcome]) => ({ method, forces: await outcome })),
   ]);
-  return { forces, sweep, profile, rover, byMethod, series: seriesOf(sweep) };
+  return { forces, sweep, profile, rover, further, byMethod, series: seriesOf(sweep) };
 }
 
 /**

@@ -26,7 +26,7 @@ const ARROW_PX = 62;
  */
 function axlesOf({ settings, rover: { wheels } }, radius) {
   const asked = settings.rover;
-  const places = asked?.places ?? [...Array(Math.max(1, Math.ceil((asked?.count ?? 1) / 2))).keys()].map((index) => -index * DRAWN.spacing * radius);
+  const places = asked?.axles?.map(({ place }) => place) ?? [...Array(Math.max(1, Math.ceil((asked?.count ?? 1) / 2))).keys()].map((index) => -index * DRAWN.spacing * radius);
   return [...new Set(places)].map((x, index) => {
     const wheel = wheels.find((each) => each.x_m === x) ?? wheels[Math.min(2 * index, wheels.length - 1)];
     return { x, load: wheel?.normal_load_n, sinkage: wheel?.sinkage_m ?? 0 };
@@ -96,7 +96,7 @@ function drawing(spec, size) {
     svg("text", { class: "scene-label strong", x: foot[0] + 4, y: foot[1] + 16 }, `α ${slopeText(slope)}`),
     straightArrow("weight", mass, [0, ARROW_PX]),
     svgText({ class: "arrow-label", x: mass[0] + 7, y: mass[1] + ARROW_PX / 2 }, "m g"),
-    ...(hitch === 0 ? [] : [straightArrow("hitch", at(rear - DRAWN.overhang * r, 0.15 * r), [-Math.sign(hitch) * 46 * Math.cos(slope), Math.sign(hitch) * 46 * Math.sin(slope)])]),
+    ...(hitch === 0 ? [] : [straightArrow("hitch", at(rear - DRAWN.overhang * r, asked?.hitchHeight ?? 0.15 * r), [-Math.sign(hitch) * 46 * Math.cos(slope), Math.sign(hitch) * 46 * Math.sin(slope)])]),
   ];
 }
 
@@ -116,7 +116,7 @@ export function createRoverScene(host, note) {
     surface.setAttribute("viewBox", `0 0 ${size.width} ${size.height}`);
     surface.setAttribute("aria-label", description(spec));
     surface.replaceChildren(...drawing(spec, size));
-    const spacing = spec.settings.rover?.places ? "Wheels and axles to scale" : "Wheels to scale; the spacing of the axles is not given";
+    const spacing = spec.settings.rover?.axles ? "Wheels and axles to scale" : "Wheels to scale; the spacing of the axles is not given";
     note.textContent = `${spacing}. Under each axle: the load of a wheel.`;
   }
 

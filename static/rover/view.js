@@ -24,12 +24,13 @@ const TILES = [
   { name: "energy_per_metre_j_m", symbol: "" },
   { name: "power_w", symbol: "" },
 ];
-const WHEEL_COLUMNS = /** @type {const} */ (["normal_load_n", "sinkage_m", "rut_depth_m", "longitudinal_force_n", "torque_n_m", "energy_per_metre_j_m", "power_w"]);
+const WHEEL_COLUMNS = /** @type {const} */ (["slip", "normal_load_n", "sinkage_m", "rut_depth_m", "longitudinal_force_n", "torque_n_m", "energy_per_metre_j_m", "power_w"]);
 
 /** @param {VehicleOnSlope} rover */
-function verdict({ climbs, slip, slope_rad: slope, largest_slope_rad: largest, gravity_m_s2: gravity }) {
+function verdict({ climbs, slip, drive, slope_rad: slope, largest_slope_rad: largest, gravity_m_s2: gravity }) {
   const most = typeof largest === "number" ? ` The largest slope that it climbs is ${slopeText(largest)}.` : "";
-  const does = climbs ? `It climbs ${slopeText(slope)}, at a slip of ${quantity("slip", slip)}.`
+  const at = drive === "equal_torque" ? "slips up to" : "a slip of";
+  const does = climbs ? `It climbs ${slopeText(slope)}, at ${at} ${quantity("slip", slip)}.`
     : typeof slip === "number" ? `It does not climb ${slopeText(slope)} within the slip limit: that takes ${quantity("slip", slip)}.`
       : `It does not climb ${slopeText(slope)}.`;
   return `${does}${most} Gravity ${quantity("gravity_m_s2", gravity)}.`;
@@ -39,9 +40,11 @@ function verdict({ climbs, slip, slope_rad: slope, largest_slope_rad: largest, g
  * One row for wheels that are alike, else one for each.
  * @param {VehicleOnSlope} rover
  */
-function wheelTable({ wheels, loads_from: from }) {
-  const isAlike = from === "equal" && wheels.every(({ rut_depth_m: rut }) => rut === 0);
-  const columns = WHEEL_COLUMNS.filter((name) => wheels.some((wheel) => typeof wheel[name] === "number" && !(name === "rut_depth_m" && isAlike)));
+function wheelTable({ wheels, slip, drive, loads_from: from }) {
+  const isAlike = from === "equal" && wheels.every((wheel) => wheel.rut_depth_m === 0 && wheel.slip === slip);
+  /** A column in which every wheel has this says nothing. @type {Record<string, number | null | undefined>} */
+  const usual = { slip, rut_depth_m: 0 };
+  const columns = WHEEL_COLUMNS.filter((name) => wheels.some((wheel) => typeof wheel[name] === "number" && wheel[name] !== usual[name]));
   const rows = (isAlike ? wheels.slice(0, 1) : wheels).map((wheel, index) => {
     const place = typeof wheel.x_m === "number" && !isAlike ? ` at ${quantity("x_m", wheel.x_m)}` : "";
     return html("tr", { "data-wheel": index },
@@ -49,7 +52,7 @@ function wheelTable({ wheels, loads_from: from }) {
       ...columns.map((name) => html("td", { "data-rover-wheel": name, "data-value": wheel[name] ?? "" }, quantity(name, wheel[name]))));
   });
   return table({ id: "rover-wheels" }, {
-    caption: from === "statics" ? "The wheels; loads by statics of the centre of mass" : "The wheels; equal loads",
+    caption: `The wheels at ${drive === "equal_torque" ? "equal torques" : "one slip"}; ${from === "statics" ? "loads by statics of the centre of mass" : "equal loads"}`,
     heads: [html("tr", {}, ...columnHeads(["Wheel", ...columns.map((name) => QUANTITIES[name].name)]))],
     rows,
   });

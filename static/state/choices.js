@@ -23,6 +23,9 @@ import { FIELDS, fieldNamed } from "../quantities/fields.js";
  * @property {string} rover "1" where it is ticked, else empty
  * @property {string} axles the places of its axles (mm) as typed, empty where its wheels carry equal loads
  * @property {string} rut "1" where wheels run in the ruts of those before them, else empty
+ * @property {"one_slip" | "equal_torque"} drive what the wheels of the rover have in common
+ * @property {string} further "1" where towing, Bekker's resistances and the pull from a torque are asked for, else empty
+ * @property {string} fitted the file that the soil was fitted from, empty where it was not
  * @property {string} braking "1" where it is ticked, else empty
  * @property {"one_zone" | "two_zone"} braking_law
  * @property {string | null} law null while the soil's own
@@ -56,6 +59,9 @@ const CHOICES = {
   rover: "",
   axles: "",
   rut: "",
+  drive: "one_slip",
+  further: "",
+  fitted: "",
   braking: "",
   braking_law: "one_zone",
   law: null,

@@ -2,6 +2,7 @@
 
 import { baseText, fieldText } from "../quantities/field-values.js";
 import { FIELDS } from "../quantities/fields.js";
+import { lawIn } from "../quantities/law-fields.js";
 import { activeGroups, contextOf } from "./preset.js";
 import { changed } from "./choices.js";
 
@@ -28,21 +29,32 @@ export function foundValue({ pointer }, { soil, contact }) {
   return typeof part === "number" ? part : null;
 }
 
+const OF_SOIL = [...SOIL_FIELDS.map(({ key }) => key), "soil", "law", "shear", "rule", "exit", "assume"];
+
+/**
+ * A soil that is changed by hand is no longer the one that was fitted.
+ * @param {State} before
+ * @param {State} after
+ */
+export const withOwnName = (before, after) =>
+  (after.fitted !== "" && after.fitted === before.fitted && OF_SOIL.some((key) => before[key] !== after[key]) ? changed(after, { fitted: "" }) : after);
+
 /**
  * The changes that make the soil and the contact those of the page.
- * @param {Found} found
+ * @param {Found & { file: string }} found and the file that it was fitted from
  * @param {State} state
  * @param {Catalogue} catalogue
  */
-export function changesFor(found, state, catalogue) {
+export function changesFor({ file, ...found }, state, catalogue) {
   const { followedLaw, followedShear, followedRule } = contextOf(state, catalogue);
   /** @param {string | null | undefined} value @param {string} followed */
   const unless = (value, followed) => (value === followed ? null : value ?? null);
   /** @type {Changes} */
   const changes = {
-    law: unless(found.soil.pressure_sinkage?.law, followedLaw),
-    shear: unless(found.soil.shear?.law ?? "janosi_hanamoto", followedShear),
+    law: unless(lawIn(found.soil.pressure_sinkage), followedLaw),
+    shear: unless(lawIn(found.soil.shear) ?? "janosi_hanamoto", followedShear),
     rule: unless(found.contact.rule, followedRule),
+    fitted: file,
   };
   const next = changed(state, changes);
   const context = contextOf(next, catalogue);

@@ -1,6 +1,6 @@
 // The requests with measurements. The settings of the page complete them.
 
-import { PRESSURE_SINKAGE, sharedNames } from "../quantities/law-fields.js";
+import { PRESSURE_SINKAGE, lawIn, sharedNames } from "../quantities/law-fields.js";
 import { options } from "./bodies.js";
 
 /** @import { TrackAsked } from "../api/endpoints.js" */
@@ -15,7 +15,7 @@ import { options } from "./bodies.js";
  */
 function withFittedLaw(soil, fit) {
   const own = soil.pressure_sinkage;
-  if (!own || own.law === "direct" || !fit.includes("k_s")) return soil;
+  if (!own || lawIn(own) === "direct" || !fit.includes("k_s")) return soil;
   const shared = sharedNames(PRESSURE_SINKAGE);
   const exponents = Object.fromEntries(Object.entries(own).filter(([name]) => shared.includes(name)));
   return { ...soil, pressure_sinkage: /** @type {Soil["pressure_sinkage"]} */ ({ ...exponents, law: "direct" }) };

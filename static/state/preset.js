@@ -124,6 +124,7 @@ export function activeGroups(state, context) {
     groupsOfLaw(SLIP_SINKAGE, state.slip_sinkage).forEach((group) => groups.add(group));
   }
   if (state.rover !== "") ["rover", state.axles.trim() ? "rover_stations" : "rover_alike"].forEach((group) => groups.add(group));
+  if (state.further !== "") ["further", "unit_weight"].forEach((group) => groups.add(group));
   if (state.method === "explicit" || state.compare) groups.add("explicit");
   if (state.method === "resistive_force") groups.add("grains");
   return groups;

@@ -12,11 +12,12 @@ const SLOPES = 61;
  * @param {Settings} settings
  * @param {Settings["rover"] & {}} rover
  */
-function wheelsOf({ common: { wheel } }, { count, places, massPlace, massHeight, rut }) {
-  if (!places) return { wheels: { count, wheel } };
+function wheelsOf({ common: { wheel } }, { count, axles, massPlace, massHeight, hitchHeight, rut }) {
+  if (!axles) return { wheels: { count, wheel } };
   return {
-    stations: places.flatMap((place) => [{ x_m: place, wheel }, { x_m: place, wheel }]),
+    stations: axles.flatMap(({ place, own }) => [{ x_m: place, wheel, ...own }, { x_m: place, wheel, ...own }]),
     ...(massPlace !== undefined && { centre_of_mass: { x_m: massPlace, ...(massHeight !== undefined && { height_m: massHeight }) } }),
+    ...(hitchHeight !== undefined && { hitch_height_m: hitchHeight }),
     ...(rut && { rut: true }),
   };
 }
@@ -29,7 +30,7 @@ function wheelsOf({ common: { wheel } }, { count, places, massPlace, massHeight,
  */
 function bodyAt(settings, rover, slope) {
   const { wheel, ...common } = settings.common;
-  return { ...common, ...wheelsOf(settings, rover), ...rover.whole, slope_rad: slope, method: settings.method, ...options(settings, settings.method) };
+  return { ...common, ...wheelsOf(settings, rover), ...rover.whole, ...(rover.drive !== "one_slip" && { drive: rover.drive }), slope_rad: slope, method: settings.method, ...options(settings, settings.method) };
 }
 
 /**

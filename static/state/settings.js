@@ -4,12 +4,13 @@ import { siFromText, typingAdvice } from "../quantities/field-values.js";
 import { FIELDS } from "../quantities/fields.js";
 import { CONTACT, EXIT, PRESSURE_SINKAGE, SHEAR, SLIP_SINKAGE, groupsAt } from "../quantities/law-fields.js";
 import { comparedWith } from "../quantities/results.js";
-import { axlePlaces } from "./axles.js";
+import { axlesIn } from "./axles.js";
 import { DEFAULTS } from "./choices.js";
 import { activeGroups, contextOf, isLoadBeside, takesSlipAngle } from "./preset.js";
 
 /** @import { Catalogue, Contact, FieldFault, ForcesRequest, Method, Soil, VehicleRequest, Wheel } from "../api/types.js" */
 /** @import { Field } from "../quantities/fields.js" */
+/** @import { Axle } from "./axles.js" */
 /** @import { State } from "./choices.js" */
 /** @import { Context } from "./preset.js" */
 
@@ -21,9 +22,11 @@ import { activeGroups, contextOf, isLoadBeside, takesSlipAngle } from "./preset.
 /**
  * @typedef {object} Rover
  * @property {number} count
- * @property {number[] | null} places of the axles (m), null where the wheels are alike
+ * @property {Axle[] | null} axles null where the wheels are alike
  * @property {number | undefined} massPlace
  * @property {number | undefined} massHeight
+ * @property {number | undefined} hitchHeight
+ * @property {"one_slip" | "equal_torque"} drive
  * @property {boolean} rut
  * @property {number} slope
  * @property {number} from
@@ -51,6 +54,8 @@ import { activeGroups, contextOf, isLoadBeside, takesSlipAngle } from "./preset.
  * @property {Pick<ForcesRequest, "lambda_a" | "lambda_b">} lambdas
  * @property {boolean} braking
  * @property {Rover | null} rover null where none is asked for
+ * @property {{ torque: number | undefined, contact: Contact } | null} further null where towing and the like are not asked for
+ * @property {string} fitted the file that the soil was fitted from, empty where it was not
  * @property {{ radius: number | null, lugHeight: number, lugCount: number | null }} drawing
  */
 
@@ -117,7 +122,7 @@ function readFields(state, context) {
  */
 function soilOf(state, context, { isTouched, overrides, complete }) {
   /** @type {Values & { shear?: Values, pressure_sinkage?: Values }} */
-  const soil = { preset: state.soil, ...overrides("strength", "grains", ...groupsAt("/soil")) };
+  const soil = { preset: state.soil, ...overrides("strength", "unit_weight", "grains", ...groupsAt("/soil")) };
   if (state.shear !== null || isTouched(...SHEAR_GROUPS)) soil.shear = { law: context.shearLaw, ...complete(...SHEAR_GROUPS) };
   // Spelling out a preset's incomplete law lets the API name the moduli that are missing. Under a known load some methods need none.
   const isIncomplete = context.soil?.missing.includes("pressure_sinkage") && !isLoadBeside(state) && state.assume === "";
@@ -154,21 +159,33 @@ function givenOf(state, { complete }) {
 }
 
 /** @param {State} state @returns {TypingFault[]} */
-const axleFaults = ({ rover, axles }) => (rover !== "" && axles.trim() && !axlePlaces(axles)
-  ? [{ pointer: "/stations", local: true, detail: "Type the place of each axle in mm with blanks between them, such as 600 0 -600." }] : []);
+const axleFaults = ({ rover, axles }) => (rover !== "" && axles.trim() && !axlesIn(axles)
+  ? [{ pointer: "/stations", local: true, detail: "Type the place of each axle in mm with blanks between them, such as 600 0 -600, or 600 -600@0Nm." }] : []);
 
 /**
  * @param {State} state
  * @param {Fields} fields
  * @returns {Rover}
  */
-function roverOf({ axles, rut }, { complete }) {
+function roverOf({ axles, rut, drive }, { complete }) {
   const { slope_rad: slope, from, to, ...whole } = complete("rover");
-  const { x_m: massPlace, height_m: massHeight } = complete("rover_stations");
+  const { x_m: massPlace, height_m: massHeight, hitch_height_m: hitchHeight } = complete("rover_stations");
   return /** @type {Rover} */ ({
-    count: complete("rover_alike").count, places: axles.trim() ? axlePlaces(axles) : null, massPlace, massHeight, rut: rut !== "",
+    count: complete("rover_alike").count, axles: axles.trim() ? axlesIn(axles) : null, massPlace, massHeight, hitchHeight, drive, rut: rut !== "",
     slope, from, to, whole: /** @type {unknown} */ (JSON.parse(JSON.stringify(whole))),
   });
+}
+
+/**
+ * A torque that was measured needs no soil, only where the contact begins and ends: that of the page, whether its soil brings it or not.
+ * @param {State} state
+ * @param {Context} context
+ * @param {Fields} fields
+ */
+function furtherOf(state, context, { complete }) {
+  const exit = state.exit !== "" && { exit: complete(...EXIT_GROUPS) };
+  const contact = { rule: context.rule, ...complete(...CONTACT_GROUPS), ...exit };
+  return { torque: /** @type {number | undefined} */ (complete("further").torque_n_m), contact: /** @type {Contact} */ (/** @type {unknown} */ (contact)) };
 }
 
 /**
@@ -209,6 +226,8 @@ export function settingsOf(state, catalogue) {
     lambdas: /** @type {Settings["lambdas"]} */ (fields.overrides("explicit")),
     braking: context.braking,
     rover: state.rover === "" ? null : roverOf(state, fields),
+    further: state.further === "" ? null : furtherOf(state, context, fields),
+    fitted: state.fitted,
     drawing: {
       radius: context.radius ?? null,
       lugHeight: Number(fields.complete("wheel").lug_height_m ?? 0),

@@ -44,8 +44,11 @@ function assumedBasis({ assumed }) {
   }];
 }
 
+/** @param {Settings} settings @returns {Basis[]} */
+const fittedBasis = ({ fitted }) => (fitted ? [{ key: "fitted", text: `The soil was fitted from ${fitted}.`, brief: `soil fitted from ${fitted}` }] : []);
+
 /**
  * @param {Settings} settings
  * @param {Forces} forces
  */
-export const basisOf = (settings, forces) => [...loadBasis(settings, forces), ...circleBasis(settings, forces), ...assumedBasis(settings)];
+export const basisOf = (settings, forces) => [...fittedBasis(settings), ...loadBasis(settings, forces), ...circleBasis(settings, forces), ...assumedBasis(settings)];

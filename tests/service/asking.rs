@@ -117,6 +117,22 @@ pub(crate) fn post(path: &str, body: &Value) -> Answer {
     post_text(path, body.to_string())
 }
 
+/// The bodies of the 200s to many requests, all to one service.
+pub(crate) fn post_all(path: &str, bodies: impl Iterator<Item = Value>) -> Vec<Value> {
+    let router = app(Service::new(Limits::default()));
+    runtime().block_on(async {
+        let mut replies = Vec::new();
+        for body in bodies {
+            let request = request("POST", path, &[("content-type", "application/json")], body.to_string());
+            let response = router.clone().oneshot(request).await.expect("the service always answers");
+            assert_eq!(response.status(), StatusCode::OK, "{body}");
+            let bytes = to_bytes(response.into_body(), usize::MAX).await.expect("a body");
+            replies.push(serde_json::from_slice(&bytes).expect("JSON"));
+        }
+        replies
+    })
+}
+
 pub(crate) fn post_text(path: &str, body: impl Into<Body>) -> Answer {
     send(request("POST", path, &[("content-type", "application/json")], body))
 }

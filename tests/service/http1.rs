@@ -114,18 +114,35 @@ fn a_packed_body_is_unpacked() {
         assert_eq!(coded(coding, gzip(body.as_bytes())).ok(), plain, "{coding}");
     }
     assert_eq!(coded("deflate", deflate(body.as_bytes())).ok(), plain);
+    let packed = zstd::encode_all(body.as_bytes(), 3).expect("memory");
+    assert_eq!(coded("zstd", packed.clone()).ok(), plain);
+    coded("zstd", packed[..packed.len() - 3].to_vec()).problem(400);
     assert_eq!(coded("identity", body.clone()).ok(), plain);
     send(request("GET", "/healthz", &[("content-encoding", "br")], Body::empty())).ok(); // nothing is packed there
     let (first, second) = body.split_at(20);
     assert_eq!(coded("gzip", [gzip(first.as_bytes()), gzip(second.as_bytes())].concat()).ok(), plain, "two members");
 }
 
+/// What a window takes of the memory is bounded, however small the body is.
+#[test]
+fn a_zstd_body_with_a_larger_window_than_every_decoder_has_is_a_400() {
+    let body = " ".repeat(100) + &letter().to_string();
+    let packed = |window: u32| {
+        let mut encoder = zstd::Encoder::new(Vec::new(), 3).expect("an encoder");
+        encoder.window_log(window).expect("a window");
+        encoder.write_all(body.as_bytes()).expect("memory");
+        encoder.finish().expect("memory")
+    };
+    coded("zstd", packed(23)).ok();
+    coded("zstd", packed(24)).problem(400);
+}
+
 #[test]
 fn a_coding_that_is_not_unpacked_is_a_415_that_names_those_that_are() {
-    for coding in ["br", "zstd", "compress", "gzip, gzip", "deflate, gzip", "utf-8"] {
+    for coding in ["br", "compress", "gzip, gzip", "deflate, gzip", "utf-8"] {
         let answer = coded(coding, letter().to_string());
         answer.problem(415);
-        assert_eq!(answer.header("accept-encoding"), "gzip, deflate", "{coding}");
+        assert_eq!(answer.header("accept-encoding"), "gzip, deflate, zstd", "{coding}");
     }
     let twice = [("content-type", "application/json"), ("content-encoding", "gzip"), ("content-encoding", "gzip")];
     send(request("POST", "/v1/forces", &twice, gzip(&gzip(letter().to_string().as_bytes())))).problem(415);

@@ -2,6 +2,9 @@
 
 mod asking;
 mod assume;
+mod batch;
+mod batch_arrow;
+mod batch_stream;
 mod braking;
 mod catalogue;
 mod circles;
@@ -22,6 +25,7 @@ mod identify_linear;
 mod interface;
 mod known_load;
 mod log;
+mod optimum;
 mod page;
 mod presets;
 mod problems;
@@ -46,6 +50,9 @@ mod track;
 mod track_cells;
 mod track_from_torque;
 mod track_stream;
+mod uncertainty;
+mod uncertainty_faults;
+mod uncertainty_spread;
 mod validation;
 mod validation_inputs;
 mod validation_laws;

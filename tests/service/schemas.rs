@@ -106,9 +106,18 @@ fn every_number_of_a_request_has_a_unit() {
         numbers(&document, schema, "", &mut found);
     }
     assert!(found.len() > 200, "{}", found.len());
-    // The values of an axis are in the unit of its field.
-    let is_of_axis = |at: &str| ["/axes/from", "/axes/to", "/axes/values"].contains(&at);
-    for (at, schema) in found.iter().filter(|(at, _)| !is_of_axis(at)) {
+    // The values of an axis or a variable are in the unit of its field, and a limit in that of its formula.
+    let of_others = [
+        "/axes/from",
+        "/axes/to",
+        "/axes/values",
+        "/variables/from",
+        "/variables/to",
+        "/variables/start",
+        "/constraints/at_least",
+        "/constraints/at_most",
+    ];
+    for (at, schema) in found.iter().filter(|(at, _)| !of_others.contains(&at.as_str())) {
         let unit = schema["x-unit"].as_str().unwrap_or_else(|| panic!("{at} has no unit"));
         // The ends of a range are in the unit of the range.
         let whole = at.strip_suffix("/from").or_else(|| at.strip_suffix("/to")).unwrap_or(at);

@@ -68,4 +68,4 @@ pub use reader::{Defaulting, Reader};
 pub use slot::{Blocked, Slot};
 pub use syntax::fault_in_words;
 pub use tagged::{Base, Chosen, Tagged, Variant};
-pub use word::{Flag, Label, Lookup, Word};
+pub use word::{Flag, Label, Lookup, Text, Word};

@@ -52,6 +52,20 @@ impl Node<'_> {
         })
     }
 
+    /// The value that stands under a path of names, each that of a field or the number of an item.
+    #[must_use]
+    pub fn under<'n>(&'n self, names: &[String]) -> Option<&'n Self> {
+        let Some((name, rest)) = names.split_first() else { return Some(self) };
+        match self {
+            Self::Object(fields) => fields.named(name)?.under(rest),
+            Self::List(list) => {
+                let at: usize = name.parse().ok()?;
+                list.others().iter().find(|(place, _)| *place == at)?.1.under(rest)
+            }
+            _ => None,
+        }
+    }
+
     /// The text, if it is one.
     #[must_use]
     pub fn text(&self) -> Option<&str> {
@@ -77,6 +91,35 @@ impl<'a> Fields<'a> {
     #[must_use]
     pub fn get(&self, at: usize) -> Option<&Node<'a>> {
         self.0.get(at).map(|(_, node)| node)
+    }
+
+    /// The value of that name, the last where it is there more than once.
+    #[must_use]
+    pub fn named(&self, name: &str) -> Option<&Node<'a>> {
+        self.0.iter().rev().find(|(known, _)| is_same(known, name)).map(|(_, node)| node)
+    }
+
+    /// The same for writing.
+    pub fn named_mut(&mut self, name: &str) -> Option<&mut Node<'a>> {
+        self.0.iter_mut().rev().find(|(known, _)| is_same(known, name)).map(|(_, node)| node)
+    }
+
+    /// Takes the values of that name out; the last of them, if there is any.
+    pub fn take(&mut self, name: &str) -> Option<Node<'a>> {
+        let mut taken = None;
+        self.0.retain_mut(|(known, node)| {
+            let stays = !is_same(known, name);
+            if !stays {
+                taken = Some(std::mem::replace(node, Node::Null));
+            }
+            stays
+        });
+        taken
+    }
+
+    /// Adds a value.
+    pub fn add(&mut self, name: &'static str, node: Node<'a>) {
+        self.0.push((Cow::Borrowed(name), node));
     }
 
     /// Names and values.

@@ -80,6 +80,18 @@ impl Number {
         self.unit
     }
 
+    /// The smallest and the largest number that is allowed; infinite where there is no bound.
+    #[must_use]
+    pub const fn range(&self) -> [f64; 2] {
+        [self.min, self.max]
+    }
+
+    /// Whether only whole numbers are allowed.
+    #[must_use]
+    pub const fn is_whole(&self) -> bool {
+        self.whole
+    }
+
     /// What holds where the field is left out.
     #[must_use]
     pub const fn default_value(&self) -> Option<f64> {

@@ -162,7 +162,7 @@ impl Object {
     }
 
     /// A reference to its schema.
-    pub(crate) fn reference(&self, meaning: &str) -> RefOr<Schema> {
+    pub fn reference(&self, meaning: &str) -> RefOr<Schema> {
         reference(self.name, meaning)
     }
 }

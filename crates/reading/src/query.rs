@@ -76,6 +76,14 @@ impl<'a> Query<'a> {
     }
 }
 
+impl<'a> Node<'a> {
+    /// What a text stands for where all values are texts, as in a query or a table: a number as JSON writes it, `true`, or itself.
+    #[must_use]
+    pub fn of_text(text: Cow<'a, str>) -> Self {
+        value_of(text)
+    }
+}
+
 fn value_of(text: Cow<'_, str>) -> Node<'_> {
     match number(&text) {
         Some(number) => Node::Number(number),

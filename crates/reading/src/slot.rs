@@ -1,11 +1,11 @@
-//! Numbers of a tree that are written anew again and again.
+//! Values of a tree that are written anew again and again.
 
 use std::borrow::Cow;
 
 use crate::node::{Fields, List, Node};
 use crate::path::Path;
 
-/// Where a number stands in a tree, for good: trees do not shrink.
+/// Where a value stands in a tree, for good: trees do not shrink.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot(Vec<usize>);
 
@@ -78,6 +78,13 @@ impl Node<'_> {
 
     /// Writes a number where [`slot`](Self::slot) of this tree made room.
     pub fn set(&mut self, slot: &Slot, value: f64) {
+        self.put(slot, Node::Number(value));
+    }
+}
+
+impl<'a> Node<'a> {
+    /// Writes anything where [`slot`](Self::slot) of this tree made room.
+    pub fn put(&mut self, slot: &Slot, value: Node<'a>) {
         let mut node = self;
         for &at in &slot.0 {
             let within = match node {
@@ -88,7 +95,7 @@ impl Node<'_> {
             let Some(within) = within else { return };
             node = within;
         }
-        *node = Node::Number(value);
+        *node = value;
     }
 }
 

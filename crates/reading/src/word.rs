@@ -109,23 +109,22 @@ impl<T> Kind for Lookup<T> {
     }
 }
 
-/// A name that a client gives: a text that stands on one line.
+/// A text of a client that stands on one line.
 #[derive(Debug, Clone, Copy)]
-pub struct Label;
-
-impl Label {
+pub struct Text {
     /// Characters of the longest.
-    pub const LONGEST: usize = 60;
+    pub longest: usize,
 }
 
-impl Kind for Label {
+impl Kind for Text {
     type Value<'a> = &'a str;
 
     fn read<'a>(&self, node: &'a Node<'a>, place: Scope<'a>) -> Option<&'a str> {
+        let Self { longest } = *self;
         let Some(text) = node.text() else { return wrong_type(&place, "a string", node) };
-        let length = text.chars().take(Self::LONGEST + 1).count();
-        if !(1..=Self::LONGEST).contains(&length) || text.chars().any(char::is_control) {
-            place.fault(format_args!("must have from 1 to {} characters, none of them a control character", Self::LONGEST));
+        let length = text.chars().take(longest + 1).count();
+        if !(1..=longest).contains(&length) || text.chars().any(char::is_control) {
+            place.fault(format_args!("must have from 1 to {longest} characters, none of them a control character"));
             return None;
         }
         Some(text)
@@ -136,9 +135,32 @@ impl Kind for Label {
             .schema_type(Type::String)
             .description(Some(meaning))
             .min_length(Some(1))
-            .max_length(Some(Self::LONGEST))
+            .max_length(Some(self.longest))
             .pattern(Some(r"^[^\u0000-\u001f\u007f-\u009f]+$"))
             .into()
+    }
+}
+
+/// A name that a client gives.
+#[derive(Debug, Clone, Copy)]
+pub struct Label;
+
+impl Label {
+    /// Characters of the longest.
+    pub const LONGEST: usize = 60;
+
+    const TEXT: Text = Text { longest: Self::LONGEST };
+}
+
+impl Kind for Label {
+    type Value<'a> = &'a str;
+
+    fn read<'a>(&self, node: &'a Node<'a>, place: Scope<'a>) -> Option<&'a str> {
+        Self::TEXT.read(node, place)
+    }
+
+    fn schema(&self, meaning: &str) -> RefOr<Schema> {
+        Self::TEXT.schema(meaning)
     }
 }
 

@@ -1,5 +1,6 @@
 //! `POST` and `GET /v1/forces`.
 
+mod direct;
 mod found;
 mod reply;
 mod request;

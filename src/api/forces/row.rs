@@ -1,14 +1,16 @@
 //! An operating point as a row among many.
 
-use terramechanics::{Method, Motion, Outcome, cautions};
+use terramechanics::{Error, Method, Motion, Outcome, cautions};
+use terramechanics_reading::Path;
 
+use super::direct;
 use super::request::ForcesCase;
 use crate::catalogue;
 use crate::compute::Cost;
-use crate::quantity::{About, Point, point_columns};
+use crate::quantity::{About, Point, PointValue, point_columns};
 use crate::request::error_pointer;
 use crate::request::pull::SlipFrom;
-use crate::varied::{RowStatus, Varied};
+use crate::varied::{IsSent, RowStatus, Setter, Varied};
 use crate::warning::{Finding, Tally, no_solution};
 
 impl ForcesCase {
@@ -34,20 +36,47 @@ impl Varied for ForcesCase {
         Cost::of_rows(&self.operation, matches!(self.slip, SlipFrom::Pull(_)), rows)
     }
 
+    fn setters(&self, paths: &[Path], is_sent: IsSent<'_>) -> Option<Vec<Setter>> {
+        direct::setters(self, paths, is_sent)
+    }
+
+    fn with_numbers(&self, setters: &[Setter], values: &[f64]) -> Option<Self> {
+        direct::with_numbers(self, setters, values)
+    }
+
     fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
+        let columns = point_columns(&self.operation, self.is_sideways()).map(|(_, value)| value);
+        match self.answer(columns, tally, |number| cells.push(number)) {
+            Ok(()) => RowStatus::Ok,
+            Err(_) => RowStatus::NoSolution,
+        }
+    }
+}
+
+impl ForcesCase {
+    /// Hands over the number of each column, NaN where there is none; what is to be said of them goes into `tally`.
+    ///
+    /// # Errors
+    /// What the model refuses, which is in the tally then; the columns are those of the request alone.
+    #[inline]
+    pub(crate) fn answer(
+        &self,
+        columns: impl Iterator<Item = PointValue>,
+        tally: &mut Tally,
+        mut put: impl FnMut(f64),
+    ) -> Result<(), Error> {
         let Self { operation, .. } = self;
-        let columns = point_columns(&self.operation, self.is_sideways());
         let (motion, point) = match self.point() {
             Ok(found) => found,
             Err(error) => {
                 tally.finding(no_solution(error, error_pointer(&error, &operation.sinkage)));
                 let slip = self.asked_motion().map(|motion| motion.slip);
-                cells.extend(columns.map(|(_, value)| slip.map_or(f64::NAN, |slip| value.without(slip))));
-                return RowStatus::NoSolution;
+                columns.for_each(|value| put(slip.map_or(f64::NAN, |slip| value.without(slip))));
+                return Err(error);
             }
         };
         let at = Point::of(&operation.system, motion, &point);
-        cells.extend(columns.map(|(_, value)| value.at(&at)));
+        columns.for_each(|value| put(value.at(&at)));
         let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
         cautions(operation, &outcome).for_each(|caution| tally.caution(caution));
         let system = &operation.system;
@@ -56,6 +85,6 @@ impl Varied for ForcesCase {
         if motion.heading == terramechanics::Heading::Backward {
             tally.finding(Finding::Mirrored {});
         }
-        RowStatus::Ok
+        Ok(())
     }
 }

@@ -4,7 +4,7 @@ mod example;
 mod found;
 mod grid;
 mod reply;
-mod request;
+pub(super) mod request;
 mod stream_of_rows;
 
 use axum::body::Body;

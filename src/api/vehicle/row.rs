@@ -57,7 +57,7 @@ impl Varied for VehicleCase {
                 if !climbs {
                     tally.finding(Finding::SlipBeyondLimit { slip: on.driven.slip.ratio(), limit: *slip_limit });
                 }
-                vehicle.cautions(&on.driven).into_iter().for_each(|(_, caution)| tally.caution(caution));
+                vehicle.cautions(&on.driven).for_each(|(_, caution)| tally.caution(caution));
                 RowStatus::Ok
             }
             Err(error) => {

@@ -86,7 +86,7 @@ pub(super) fn separator(header: &[u8]) -> u8 {
 }
 
 /// The number in a cell: NaN for an empty one and for the words that stand for a missing value, none for any other text.
-pub(super) fn number(cell: &[u8]) -> Option<f64> {
+pub(crate) fn number(cell: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(cell).ok()?;
     if let Ok(number) = text.parse() {
         return Some(number);

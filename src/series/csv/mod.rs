@@ -7,8 +7,9 @@ mod records;
 mod tests;
 
 use super::{Column, ExtraColumns, Layout, Read, Row, SeriesFault, Unreadable};
-use header::{CellFault, Header, number};
-use records::{Next, Records};
+pub(crate) use header::number;
+use header::{CellFault, Header};
+pub(crate) use records::{Next, Records};
 
 /// Reads a table piece by piece.
 pub(crate) struct CsvReader {

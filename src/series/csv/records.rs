@@ -9,7 +9,7 @@ use crate::series::{LONGEST_ROW, SeriesFault};
 const MOST_CELLS: usize = 256;
 
 /// Reads records piece by piece.
-pub(super) struct Records {
+pub(crate) struct Records {
     state: State,
     record: [u8; LONGEST_ROW],
     filled: usize,
@@ -23,7 +23,7 @@ pub(super) struct Records {
 }
 
 /// What is found next in a table.
-pub(super) enum Next {
+pub(crate) enum Next {
     /// A record, until it is cleared.
     Record,
     /// The input is used up.
@@ -54,7 +54,7 @@ const ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#VALUE!", b"#REF!", b"#NAME?"
 const LONGEST_ERROR: usize = 7;
 
 impl Records {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             state: State::Start(Vec::new()),
             record: [0; LONGEST_ROW],
@@ -68,7 +68,7 @@ impl Records {
     }
 
     /// The next record; takes what it uses off `input`. With `last` nothing comes after `input`.
-    pub(super) fn next(&mut self, input: &mut &[u8], last: bool) -> Result<Next, SeriesFault> {
+    pub(crate) fn next(&mut self, input: &mut &[u8], last: bool) -> Result<Next, SeriesFault> {
         if !self.has_started(input, last)? {
             return Ok(Next::More);
         }
@@ -84,7 +84,7 @@ impl Records {
     }
 
     /// Makes room for the next record.
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         (self.filled, self.cells) = (0, 0);
     }
 
@@ -188,33 +188,33 @@ impl Records {
     }
 
     /// How many cells the record has.
-    pub(super) fn cells(&self) -> usize {
+    pub(crate) fn cells(&self) -> usize {
         self.cells
     }
 
     /// A cell without the blanks around it.
-    pub(super) fn cell(&self, index: usize) -> &[u8] {
+    pub(crate) fn cell(&self, index: usize) -> &[u8] {
         let start = if index == 0 { 0 } else { self.ends[index - 1] };
         self.record[start..self.ends[index]].trim_ascii()
     }
 
     /// A cell as a word for a message.
-    pub(super) fn word(&self, index: usize) -> String {
+    pub(crate) fn word(&self, index: usize) -> String {
         terramechanics_reading::shortened(&String::from_utf8_lossy(self.cell(index)))
     }
 
     /// All cells as words.
-    pub(super) fn words(&self) -> Vec<String> {
+    pub(crate) fn words(&self) -> Vec<String> {
         (0..self.cells).map(|at| self.word(at)).collect()
     }
 
     /// The line in which the record starts.
-    pub(super) fn line(&self) -> u64 {
+    pub(crate) fn line(&self) -> u64 {
         self.line
     }
 
     /// A fault of the record that was read last.
-    pub(super) fn fault(&self, column: usize, detail: impl Into<String>) -> SeriesFault {
+    pub(crate) fn fault(&self, column: usize, detail: impl Into<String>) -> SeriesFault {
         SeriesFault { line: self.line, column, detail: detail.into() }
     }
 }

@@ -9,7 +9,7 @@ use crate::asking::{post, post_for_csv};
 const TEXT: &str = include_str!("../../../docs/clients.md");
 
 /// Each with the block that shows its request, by language and place among the blocks of that language.
-const CLIENTS: [(&str, &str, usize); 8] = [
+const CLIENTS: [(&str, &str, usize); 9] = [
     (include_str!("../../../clients/curve_pandas.py"), "python", 0),
     (include_str!("../../../clients/forces_requests.py"), "python", 1),
     (include_str!("../../../clients/generated_client.py"), "python", 2),
@@ -18,6 +18,7 @@ const CLIENTS: [(&str, &str, usize); 8] = [
     (include_str!("../../../clients/curve.sh"), "sh", 1),
     (include_str!("../../../clients/pydantic_models.py"), "python", 3),
     (include_str!("../../../clients/fetch.mjs"), "js", 1),
+    (include_str!("../../../clients/batch.py"), "python", 4),
 ];
 
 #[test]

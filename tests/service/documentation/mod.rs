@@ -6,7 +6,9 @@ mod evidence;
 mod links;
 mod methods;
 mod operations;
+mod optimum;
 mod readme;
+mod uncertainty;
 mod validation;
 
 use std::path::Path;

@@ -12,7 +12,7 @@ const MOST_VALUES: usize = 100_000;
 /// Most axes.
 pub(crate) const MOST_AXES: usize = 3;
 
-const FIELD: Field<Label> = Field::required(
+pub(in crate::api) const FIELD: Field<Label> = Field::required(
     "field",
     "The field that varies: the JSON pointer of any numeric field of the request, such as /wheel/radius_m or /soil/pressure_sinkage/n0, whether or not the request has it.",
     Label,
@@ -29,7 +29,7 @@ const SPACING: Field<Word<Spacing>> = Field::new(
 const VALUES: Field<Numbers> =
     Field::new("values", "The values themselves, in the order of the rows.", Numbers::new(Number::any(""), 1, MOST_VALUES));
 
-const AXIS: Object = Object {
+pub(in crate::api) const AXIS: Object = Object {
     name: "SweepAxis",
     doc: "A field and its values: `from`, `to` and `points`, or `values`.",
     groups: &[&[&FIELD, &FROM, &TO, &POINTS, &SPACING, &VALUES]],
@@ -86,17 +86,20 @@ impl Steps {
 /// The axes, each of a field that `request` declares.
 pub(super) fn read(object: &Reader<'_>, request: &'static Object) -> Option<Vec<Axis>> {
     let items = object.required(&AXES)?;
-    let axes = items.each(|axis, _| {
-        let field = axis.required(&FIELD).and_then(|pointer| varied_field(request, pointer, &axis.place_of(&FIELD)));
-        let steps = steps(axis, field.as_ref().map(|(_, number)| number));
-        Some(Axis { path: field?.0, steps: steps? })
-    })?;
+    let axes = items.each(|axis, _| read_one(axis, request))?;
     let points = axes.iter().fold(1.0, |points, axis| points * axis.steps.len() as f64);
     if points > MOST_POINTS as f64 {
         object.place_of(&AXES).fault(format_args!("make {points} points; at most {MOST_POINTS} are computed"));
         return None;
     }
     Some(axes)
+}
+
+/// An axis of a field that `request` declares.
+pub(in crate::api) fn read_one(axis: &Reader<'_>, request: &'static Object) -> Option<Axis> {
+    let field = axis.required(&FIELD).and_then(|pointer| varied_field(request, pointer, &axis.place_of(&FIELD)));
+    let steps = steps(axis, field.as_ref().map(|(_, number)| number));
+    Some(Axis { path: field?.0, steps: steps? })
 }
 
 /// The place of the field of an axis.

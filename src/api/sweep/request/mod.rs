@@ -1,6 +1,6 @@
 //! The request of `/v1/sweep`.
 
-pub(super) mod axes;
+pub(in crate::api) mod axes;
 
 use terramechanics_reading::{Field, FieldFault, Nested, Object, Path, Reader, Word};
 
@@ -33,8 +33,8 @@ const REQUEST: Field<Nested> = Field::required(
 
 /// A sweep, checked.
 pub(crate) enum GridCase {
-    Forces(Sweep<ForcesCase>),
-    Vehicle(Sweep<VehicleCase>),
+    Forces(Box<Sweep<ForcesCase>>),
+    Vehicle(Box<Sweep<VehicleCase>>),
 }
 
 /// A request over a grid.
@@ -42,7 +42,7 @@ pub(crate) struct Sweep<R> {
     pub(crate) template: Template<R>,
     pub(crate) grid: Grid,
     /// A case of the grid, for what all have in common.
-    pub(crate) sample: R,
+    pub(crate) sample: Box<R>,
 }
 
 impl<R: Varied> Sweep<R> {
@@ -63,8 +63,8 @@ impl Request for GridCase {
 
     fn read(object: &Reader<'_>) -> Option<Self> {
         match object.required(&OF) {
-            Some(Of::Forces) => sweep(object).map(Self::Forces),
-            Some(Of::Vehicle) => sweep(object).map(Self::Vehicle),
+            Some(Of::Forces) => sweep(object).map(Box::new).map(Self::Forces),
+            Some(Of::Vehicle) => sweep(object).map(Box::new).map(Self::Vehicle),
             None => {
                 let _ = object.required(&REQUEST);
                 None
@@ -116,7 +116,7 @@ fn sweep<R: Varied>(object: &Reader<'_>) -> Option<Sweep<R>> {
             if let Some(fault) = sample.as_ref().and_then(Varied::refusal) {
                 object.place_of(&REQUEST).pass_on(fault);
             }
-            Some(Sweep { template, grid, sample: sample? })
+            Some(Sweep { template, grid, sample: Box::new(sample?) })
         }
         Err(faults) => {
             for fault in faults {

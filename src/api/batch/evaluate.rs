@@ -1,0 +1,171 @@
+//! The rows of a block, one after the other.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use terramechanics_reading::{Assumption, FieldFault, Node};
+
+use super::reply::Writer;
+use super::templates::{Templates, bits};
+use crate::api::forces::ForcesCase;
+use crate::compute::SLICE;
+use crate::quantity::PointValue;
+use crate::request::error_fault;
+use crate::request::pull::SlipFrom;
+use crate::rows::{Block, Columns, Shape};
+use crate::stream::Job;
+use crate::varied::{RowStatus, tell_invalid};
+use crate::warning::Tally;
+
+/// Rows between two readings of the clock, which takes a good part of the time of a cheap row.
+const ROWS_PER_LOOK: usize = 16;
+
+/// Values that are told as assumed.
+const MOST_ASSUMED: usize = 100;
+
+/// Refused rows that are looked at for what all of them lack.
+const MOST_REFUSED: usize = 50;
+
+/// What the rows of a batch have in common.
+pub(super) struct Common {
+    pub(super) constants: Node<'static>,
+    pub(super) columns: Arc<Columns>,
+    /// The columns of the answer.
+    pub(super) values: Vec<PointValue>,
+    pub(super) writer: Writer,
+}
+
+/// What the rows of a block gave.
+#[derive(Debug, Default)]
+pub(super) struct Answers {
+    /// By column of the answer, then by row; NaN where there is no number.
+    pub(super) numbers: Vec<Vec<f64>>,
+    /// Of each row, in words what was wrong with it, if something was.
+    pub(super) faults: Vec<Option<Box<str>>>,
+    pub(super) tally: Tally,
+    pub(super) assumed: Vec<Assumption>,
+    /// Whether a row made a case.
+    pub(super) has_case: bool,
+    /// The faults of the first rows that have all columns, as long as none made a case.
+    pub(super) refused: Vec<Vec<FieldFault>>,
+}
+
+/// A block under way, and what reads its rows.
+pub(super) struct Rows {
+    common: Arc<Common>,
+    templates: Templates,
+    /// The numbers of a row.
+    values: Vec<f64>,
+    pub(super) block: Block,
+    next: usize,
+    /// Whether the row before may have taken long.
+    is_costly: bool,
+    pub(super) answers: Answers,
+    pub(super) output: Vec<u8>,
+}
+
+impl Rows {
+    pub(super) fn new(common: Arc<Common>) -> Self {
+        let (templates, values, block, output) = (Templates::default(), Vec::new(), Block::default(), Vec::new());
+        Self { common, templates, values, block, next: 0, is_costly: false, answers: Answers::default(), output }
+    }
+
+    /// Makes room for another block, behind so many rows.
+    pub(super) fn begin(&mut self, block: Block) {
+        self.answers.numbers.resize_with(self.common.values.len(), Vec::new);
+        self.answers.numbers.iter_mut().for_each(Vec::clear);
+        self.answers.faults.clear();
+        self.answers.tally = Tally::behind(block.first);
+        (self.block, self.next) = (block, 0);
+        self.templates.begin();
+    }
+
+    fn row(&mut self, row: usize) {
+        self.answers.tally.begin_row();
+        let case = match self.block.fault(row) {
+            Some(fault) => Err(vec![FieldFault::new("", fault)]),
+            None => self.case(row),
+        };
+        let Common { values, .. } = &*self.common;
+        let Answers { numbers, faults, tally, has_case, refused, .. } = &mut self.answers;
+        let fault = match case {
+            Ok(case) => {
+                *has_case = true;
+                self.is_costly = !case.operation.model.method.is_closed_form() || matches!(case.slip, SlipFrom::Pull(_));
+                let mut columns = numbers.iter_mut();
+                let put = |number| columns.next().into_iter().for_each(|column| column.push(number));
+                match case.answer(values.iter().copied(), tally, put) {
+                    Ok(()) => None,
+                    Err(error) => {
+                        let fault = error_fault(&error, &case.operation.sinkage);
+                        Some(in_words(RowStatus::NoSolution, &[fault]))
+                    }
+                }
+            }
+            Err(found) => {
+                numbers.iter_mut().for_each(|column| column.push(f64::NAN));
+                let words = in_words(RowStatus::Invalid, &found);
+                let is_whole = self.block.shape(row).present.count_ones() as usize == self.common.columns.fields.len();
+                if !*has_case && is_whole && refused.len() < MOST_REFUSED {
+                    refused.push(found.clone());
+                }
+                tell_invalid(found, tally);
+                Some(words)
+            }
+        };
+        faults.push(fault);
+    }
+
+    /// The case of a row: the request in which the columns have its values.
+    fn case(&mut self, row: usize) -> Result<ForcesCase, Vec<FieldFault>> {
+        let known = self.templates.place_of(&self.block, row);
+        let at = match known {
+            Some(at) => at,
+            None => self.templates.add(&self.common, &self.block, row)?,
+        };
+        let Some(template) = self.templates.list.get_mut(at) else { return Err(Vec::new()) };
+        self.values.clear();
+        let Shape { present, textual } = self.block.shape(row);
+        self.values.extend(bits(present & !textual).map(|field| self.block.value(field, row)));
+        let case = template.case(&self.values)?;
+        for assumption in template.assumed().unwrap_or_default() {
+            let known = &mut self.answers.assumed;
+            if known.len() < MOST_ASSUMED && !known.contains(assumption) {
+                known.push(assumption.clone());
+            }
+        }
+        Ok(case)
+    }
+}
+
+/// How a row went that has no answer.
+fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
+    const MOST: usize = 5;
+    let mut words = status.name().to_owned();
+    for (i, FieldFault { pointer, detail, .. }) in faults.iter().take(MOST).enumerate() {
+        words.push_str(if i == 0 { ": " } else { "; " });
+        words.push_str(pointer);
+        words.push_str(if pointer.is_empty() { "" } else { " " });
+        words.push_str(detail);
+    }
+    if faults.len() > MOST {
+        words.push_str(&format!("; and {} more", faults.len() - MOST));
+    }
+    words.into()
+}
+
+impl Job for Rows {
+    fn slice(&mut self) -> bool {
+        let slice_end = Instant::now() + SLICE;
+        while self.next < self.block.rows() {
+            self.row(self.next);
+            self.next += 1;
+            if (self.is_costly || self.next.is_multiple_of(ROWS_PER_LOOK)) && Instant::now() >= slice_end {
+                return false;
+            }
+        }
+        let common = self.common.clone();
+        common.writer.rows(&self.block, &mut self.answers, &mut self.output);
+        true
+    }
+}

@@ -1,0 +1,84 @@
+//! The answer of a batch: a row for each of its rows, and an end that tells a whole answer from one that was cut.
+
+use super::arrow::ArrowTable;
+use super::evaluate::Answers;
+use crate::extract::RowsForm;
+use crate::quantity::Cell;
+use crate::reply::{End, RowFormat};
+use crate::rows::{Block, Columns, EchoedCell};
+
+/// Name of the column that says how a row went.
+pub(super) const STATUS: &str = "status";
+
+/// The status of a row that has an answer.
+pub(super) const OK: &str = "ok";
+
+/// Writes rows in a form.
+#[derive(Debug)]
+pub(super) enum Writer {
+    /// With the names of all columns.
+    Text(RowFormat, Vec<String>),
+    Arrow(ArrowTable),
+}
+
+impl Writer {
+    /// Behind the columns of the body that are repeated stand those of `names`, and the status.
+    pub(super) fn new(form: RowsForm, columns: &Columns, names: impl Iterator<Item = &'static str>) -> Self {
+        let own = names.chain([STATUS]).map(str::to_owned);
+        let echoed = columns.echoed.iter();
+        match form {
+            RowsForm::Csv => Self::Text(RowFormat::Csv, echoed.cloned().chain(own).collect()),
+            RowsForm::Ndjson => Self::Text(RowFormat::Ndjson, echoed.map(|name| escaped(name)).chain(own).collect()),
+            RowsForm::Arrow => Self::Arrow(ArrowTable::new(columns, own)),
+        }
+    }
+
+    /// What stands before the first row.
+    pub(super) fn head(&self, output: &mut Vec<u8>) {
+        match self {
+            Self::Text(format, names) => format.head(names.iter().map(String::as_str), output),
+            Self::Arrow(table) => table.head(output),
+        }
+    }
+
+    /// The rows of a block.
+    pub(super) fn rows(&self, block: &Block, answers: &mut Answers, output: &mut Vec<u8>) {
+        let (format, names) = match self {
+            Self::Text(format, names) => (format, names),
+            Self::Arrow(table) => return table.rows(block, answers, output),
+        };
+        for row in 0..block.rows() {
+            let echoes = block.echoes().iter().map(|echoed| match echoed.cell(row) {
+                EchoedCell::Nothing => Cell::Nothing,
+                EchoedCell::Literal(text) => Cell::Literal(text),
+                EchoedCell::Text(text) => Cell::Word(text),
+            });
+            let numbers = answers.numbers.iter().map(|column| Cell::Number(column[row]));
+            let status = Cell::Word(answers.faults[row].as_deref().unwrap_or(OK));
+            format.row(names.iter().map(String::as_str).zip(echoes.chain(numbers).chain([status])), output);
+        }
+    }
+
+    /// The end of a whole answer.
+    pub(super) fn end(&self, end: &End, output: &mut Vec<u8>) {
+        match self {
+            Self::Text(format, _) => format.end(end, output),
+            Self::Arrow(table) => table.end(end, output),
+        }
+    }
+
+    /// The end of an answer that is not complete; false where the form has no place for it.
+    pub(super) fn broken(&self, problem: &str, output: &mut Vec<u8>) -> bool {
+        match self {
+            Self::Text(format, _) => format.broken(problem, output),
+            Self::Arrow(_) => return false,
+        }
+        true
+    }
+}
+
+/// The name of a column of the body as it stands between the quotes of JSON.
+fn escaped(name: &str) -> String {
+    let quoted = serde_json::to_string(name).unwrap_or_default();
+    quoted.get(1..quoted.len() - 1).unwrap_or_default().to_owned()
+}
