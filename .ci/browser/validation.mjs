@@ -32,7 +32,8 @@ const CHARTS = {
   "#validation-torque-chart": { column: "torque_n_m", factor: 1 },
 };
 
-const setsOfService = async () => (await (await fetch(`${base}/v1/validation`)).json()).sets;
+const ofService = async () => (await fetch(`${base}/v1/validation`)).json();
+const setsOfService = async () => (await ofService()).sets;
 
 async function openSection(page) {
   await open(page);
@@ -81,6 +82,16 @@ check("the tables have every set with its errors, and say which were fitted", as
       }
     }
   }
+});
+
+check("what was fitted on one part is scored on the other, by every fit", async (page) => {
+  await openSection(page);
+  const { held_out: heldOut } = await ofService();
+  const rows = await page.$$eval("#validation-held-out tbody tr", (found) => found.map((row) =>
+    [...row.querySelectorAll("td[data-error]")].map(({ dataset }) => ({ error: dataset.error, fit: dataset.fit, value: Number(dataset.value) }))));
+  assert.ok(await page.isVisible("#validation-held-out") && heldOut.length > 0);
+  assert.deepEqual(rows, heldOut.map(({ results }) => ["drawbar_rmse_over_load", "on_fitted_part"].flatMap((error) =>
+    results.map((result) => ({ error, fit: result.fitted.join(" "), value: result[error] })))));
 });
 
 check("a chosen set shows its points, curves, source and note", async (page) => {

@@ -208,10 +208,12 @@ impl Cost {
         Self::fixed(1e3)
     }
 
-    /// The cost of predicting measurements under their load. It counts the quadratures; closed forms cost next to nothing.
-    pub(crate) fn of_validation((straight, sideways): (usize, usize)) -> Self {
-        let (straight, sideways) = (straight as f64, sideways as f64);
-        Self { usual: 20e3 * straight + 200e3 * sideways, price: ALLOWANCE + 2e6 * straight + 6e6 * sideways }
+    /// The cost of predicting measurements under their load, and of fits to a few of them. It counts the quadratures; closed forms
+    /// cost next to nothing.
+    pub(crate) fn of_validation((straight, sideways): (usize, usize), fits: usize) -> Self {
+        let (straight, sideways, fits) = (straight as f64, sideways as f64, fits as f64);
+        let usual = 20e3 * straight + 200e3 * sideways + 3e6 * fits;
+        Self { usual, price: ALLOWANCE + 2e6 * straight + 6e6 * sideways + 50e6 * fits }
     }
 
     /// The cost of a towed wheel: its skid usually takes fifteen load balances, and at most a hundred.

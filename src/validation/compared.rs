@@ -17,21 +17,29 @@ pub(crate) struct Compared {
     measured: fn(&Points) -> Option<&Vec<Option<f64>>>,
 }
 
-/// In the order of their columns.
-pub(crate) static COMPARED: [Compared; 6] = [
+/// The pull.
+pub(super) const PULL: Compared =
     Compared::new(About::new("longitudinal_force_n", "F_x", "N", "longitudinal force, the drawbar pull"), pull, |points| {
         points.longitudinal_force_n.as_ref()
-    }),
+    });
+
+/// The pull over the load.
+pub(super) const PULL_OVER_LOAD: Compared =
+    Compared::new(About::new("drawbar_coefficient", "F_x/W", "1", "longitudinal force over the load"), pull, |points| {
+        points.longitudinal_force_n.as_ref()
+    })
+    .over_load();
+
+/// In the order of their columns.
+pub(crate) static COMPARED: [Compared; 6] = [
+    PULL,
     Compared::new(About::new("sinkage_m", "z", "m", "sinkage"), |point| point.sinkage, |points| points.sinkage_m.as_ref()),
     Compared::new(
         About::new("torque_n_m", "T", "N.m", "torque about the axle"),
         |point| point.forces.torque,
         |points| points.torque_n_m.as_ref(),
     ),
-    Compared::new(About::new("drawbar_coefficient", "F_x/W", "1", "longitudinal force over the load"), pull, |points| {
-        points.longitudinal_force_n.as_ref()
-    })
-    .over_load(),
+    PULL_OVER_LOAD,
     Compared::new(
         About::new("lateral_force_n", "F_y", "N", "lateral force, positive against the sideways motion"),
         lateral,

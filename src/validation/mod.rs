@@ -3,10 +3,12 @@
 //!
 //! A set is a series of measurements together with the soil that stands for theirs. Where parameters of that soil were fitted
 //! to the very measurements, the set says so, and nothing is averaged over sets of both kinds. Adding a set is adding a
-//! record to that folder and to [`RECORDS`].
+//! record to that folder and to [`RECORDS`]. What is said of several sets together is in `validation/across-sets`.
 
 mod compared;
+mod held_out;
 mod inputs;
+mod pooled;
 mod prediction;
 mod record;
 mod run;
@@ -14,7 +16,9 @@ mod sensitivity;
 mod side_slip;
 
 pub(crate) use compared::{COMPARED, Compared};
+pub(crate) use held_out::{FitScore, HeldOut, Part, fits, held_out};
 pub(crate) use inputs::Origin;
+pub(crate) use pooled::{Pooled, pooled_error};
 pub(crate) use prediction::{Prediction, root_mean_square, system};
 pub(crate) use record::{MeasurementGrade, Record};
 pub(crate) use run::{Run, all_runs};
@@ -91,8 +95,9 @@ mod tests {
     #[test]
     fn every_file_is_a_set_named_like_it() {
         let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/validation")).expect("the folder");
+        let paths = files.map(|file| file.expect("a file").path()).filter(|path| path.is_file());
         let named: BTreeSet<String> =
-            files.map(|file| file.expect("a file").path().file_stem().expect("a name").to_string_lossy().into_owned()).collect();
+            paths.map(|path| path.file_stem().expect("a name").to_string_lossy().into_owned()).collect();
         assert_eq!(ids().into_iter().map(str::to_owned).collect::<BTreeSet<_>>(), named);
         assert_eq!(ids().len(), named.len());
     }

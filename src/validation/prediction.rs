@@ -3,6 +3,7 @@
 use terramechanics::{Caution, OperatingPoint, Outcome, WheelOnSoil, cautions};
 use terramechanics_reading::Node;
 
+use super::compared::PULL_OVER_LOAD;
 use super::{Record, Run};
 use crate::api::forces::ForcesCase;
 use crate::request::checked;
@@ -21,14 +22,14 @@ pub(crate) struct Prediction {
 impl Prediction {
     /// The points of `record` by `run`.
     pub(crate) fn of(record: &Record, run: &'static Run) -> Self {
-        Self::with(record, run, None)
+        Self::with(record, run, &[])
     }
 
-    /// The same with another shear modulus (m), where there is one.
-    pub(super) fn with(record: &Record, run: &'static Run, shear_modulus: Option<f64>) -> Self {
+    /// The same with other values of these fields of the soil.
+    pub(super) fn with(record: &Record, run: &'static Run, of_soil: &[(&str, f64)]) -> Self {
         let mut prediction = Self { run, points: Vec::new(), cautions: RowCautions::default() };
         for row in 0..record.points().slip.len() {
-            let found = point(record, run, row, shear_modulus);
+            let found = point(record, run, row, of_soil);
             prediction.points.push(found.map(|(point, cautions)| {
                 prediction.cautions.add(row, cautions.into_iter());
                 point
@@ -42,6 +43,14 @@ impl Prediction {
         self.points.iter().map(|point| point.as_ref().ok())
     }
 
+    /// Error of the pull over the load at each point; NaN where it was not measured or has no solution.
+    pub(super) fn pull_errors(&self, record: &Record) -> Vec<f64> {
+        let load = record.points().load();
+        let (predicted, measured) =
+            (PULL_OVER_LOAD.predicted(self.points(), &load), PULL_OVER_LOAD.measured(record.points(), &load));
+        predicted.iter().zip(&measured).map(|(predicted, measured)| predicted - measured).collect()
+    }
+
     /// Rows without a solution, and why.
     pub(crate) fn gaps(&self) -> Vec<(usize, Reason)> {
         let gaps = self.points.iter().enumerate();
@@ -50,8 +59,8 @@ impl Prediction {
 }
 
 /// The operating point of a row, or why there is none.
-fn point(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
-    let case = case(record, run, row, shear_modulus).map_err(Reason::Request)?;
+fn point(record: &Record, run: &Run, row: usize, of_soil: &[(&str, f64)]) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
+    let case = case(record, run, row, of_soil).map_err(Reason::Request)?;
     let (_, point) = case.point().map_err(Reason::Model)?;
     let cautions = cautions(&case.operation, &Outcome::from(&point)).collect();
     Ok((point, cautions))
@@ -59,11 +68,11 @@ fn point(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> 
 
 /// The wheel on its soil; none where the record is no request.
 pub(crate) fn system(record: &Record) -> Option<WheelOnSoil> {
-    case(record, record.runs().first()?, 0, None).ok().map(|case| case.operation.system)
+    case(record, record.runs().first()?, 0, &[]).ok().map(|case| case.operation.system)
 }
 
-/// The request for a row, with another shear modulus where there is one.
-fn case(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> Result<ForcesCase, String> {
+/// The request for a row, with other values of these fields of the soil.
+fn case(record: &Record, run: &Run, row: usize, of_soil: &[(&str, f64)]) -> Result<ForcesCase, String> {
     let points = record.points();
     let mut body = run.fields();
     body["wheel"] = record.wheel.clone();
@@ -77,8 +86,8 @@ fn case(record: &Record, run: &Run, row: usize, shear_modulus: Option<f64>) -> R
     if let Some(side) = record.side_slip {
         body["slip_angle_rad"] = side.angle().into();
     }
-    if let Some(shear_modulus) = shear_modulus {
-        body["soil"]["shear_modulus_m"] = shear_modulus.into();
+    for (name, value) in of_soil {
+        body["soil"][*name] = (*value).into();
     }
     checked(&Node::from(&body)).map_err(|faults| {
         let told: Vec<String> = faults.iter().map(|fault| format!("{} {}", fault.pointer, fault.detail)).collect();
@@ -103,7 +112,7 @@ mod tests {
         for record in records() {
             for run in record.runs() {
                 for row in 0..record.points().slip.len() {
-                    assert_eq!(case(record, run, row, None).err(), None, "{} {}", record.id, run.series);
+                    assert_eq!(case(record, run, row, &[]).err(), None, "{} {}", record.id, run.series);
                 }
             }
         }

@@ -121,6 +121,16 @@ impl Record {
         runs_of(self.side_slip.is_some(), is_braking, by_grains)
     }
 
+    /// The quadrature, for a set that goes straight ahead.
+    pub(super) fn quadrature(&self) -> Option<&'static Run> {
+        self.runs().iter().find(|run| run.series == "quadrature" && run.side.is_none())
+    }
+
+    /// Whether the pull was measured at any point.
+    pub(super) fn has_pull(&self) -> bool {
+        self.points().longitudinal_force_n.iter().flatten().any(Option::is_some)
+    }
+
     /// Whether the bulk density of the soil is known.
     fn has_density(&self) -> bool {
         let name = Soil::BULK_DENSITY.name;

@@ -2,7 +2,7 @@
 
 import { answer } from "./client.js";
 
-/** @import { Catalogue, Comparison, CompareRequest, CoupledForces, CoupledRequest, Forces, ForcesRequest, Identification, IdentifyRequest, Model, Resistances, ResistancesRequest, SlipSweep, SlipSweepRequest, StressProfile, StressProfileRequest, Towed, TowedRequest, Track, TrackColumns, TrackRequest, ValidationSet, VehicleOnSlope, VehicleOverSlopes, VehicleRequest } from "./types.js" */
+/** @import { Catalogue, Comparison, CompareRequest, CoupledForces, CoupledRequest, Forces, ForcesRequest, Identification, IdentifyRequest, Model, Resistances, ResistancesRequest, SlipSweep, SlipSweepRequest, StressProfile, StressProfileRequest, Towed, TowedRequest, Track, TrackColumns, TrackRequest, Validation, VehicleOnSlope, VehicleOverSlopes, VehicleRequest } from "./types.js" */
 
 /** A search may use up the time that the service allows a computation. */
 const SEARCH_PATIENCE_MS = 60_000;
@@ -126,6 +126,6 @@ export async function catalogueOf() {
 
 /**
  * Published measurements with what the methods give for them.
- * @returns {Promise<ValidationSet[]>}
+ * @returns {Promise<Validation>}
  */
-export const validationSets = async () => (await answer("/v1/validation", { read: asJson() })).sets;
+export const validation = () => answer("/v1/validation", { read: asJson() });

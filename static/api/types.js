@@ -52,5 +52,9 @@
 /** @typedef {Schemas["LawNote"]} LawNote */
 /** @typedef {Schemas["ValidationSet"]} ValidationSet */
 /** @typedef {Schemas["ValidationResult"]} ValidationResult */
+/** @typedef {Schemas["Validation"]} Validation */
+/** @typedef {Schemas["ValidationHeldOut"]} HeldOut */
+/** @typedef {Schemas["ValidationFit"]} ValidationFit */
+/** @typedef {Schemas["ValidationPart"]} ValidationPart */
 
 export {};

@@ -40,6 +40,9 @@ export function fillValidation(section) {
       "By quadrature, with ", code("independent"), " or ", code("coupled"), " shear stresses and a ", code("full"), " or ", code("mobilised"),
       " pressure on the side wall. The API uses the first pair unless told otherwise.",
     ], tablePlace("validation-side", "Errors of the side force by pair of laws", false)),
+    laws("Held out", [
+      "By quadrature, with parameters fitted to the pulls of one part and scored on another that the fit has not seen. The error on the part fitted on says little of what a fit is worth.",
+    ], tablePlace("validation-held-out", "What a fit is worth on points that it has not seen", false)),
     set,
     charts);
   return { set, charts };

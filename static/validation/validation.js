@@ -1,16 +1,17 @@
 // Published measurements against the predictions of the methods.
 
 import { messageOf } from "../api/client.js";
-import { validationSets } from "../api/endpoints.js";
+import { validation } from "../api/endpoints.js";
 import { createChart } from "../charts/chart.js";
 import { html } from "../dom/elements.js";
 import { byId, enclosing, find, findAll } from "../dom/find.js";
 import { isNumber } from "../numbers/columns.js";
 import { fillValidation } from "./layout.js";
+import { heldOutTable } from "./held-out.js";
 import { SET_CHARTS, describedSet, setSpec } from "./set.js";
 import { TABLES, errorTable } from "./tables.js";
 
-/** @import { ValidationSet } from "../api/types.js" */
+/** @import { Validation, ValidationSet } from "../api/types.js" */
 /** @import { Chart } from "../charts/chart.js" */
 /** @import { SetChart } from "./set.js" */
 
@@ -56,12 +57,14 @@ export function showValidation(section) {
     return button;
   }
 
-  /** @param {ValidationSet[]} sets */
-  function showAll(sets) {
+  /** @param {Validation} validation */
+  function showAll({ sets, held_out: heldOut }) {
     for (const table of TABLES) {
       byId(table.id).replaceChildren(errorTable(sets.filter(table.of), table, chooseButton));
       enclosing(byId(table.id), "[hidden]").hidden = false;
     }
+    byId("validation-held-out").replaceChildren(heldOutTable(heldOut, sets));
+    enclosing(byId("validation-held-out"), "[hidden]").hidden = false;
     status.textContent = "Choose a set to see its points. A dash means not measured; an asterisk, that points without a solution are left out.";
     show(sets[0]);
     section.dataset.state = "ready";
@@ -79,7 +82,7 @@ export function showValidation(section) {
     section.dataset.state = "loading";
     status.textContent = "Loading the measurements…";
     try {
-      showAll(await validationSets());
+      showAll(await validation());
     } catch (error) {
       tellFailure(error);
     }

@@ -1,5 +1,6 @@
 //! `GET /v1/validation` and its single sets.
 
+mod across_sets;
 mod columns;
 mod found;
 mod inputs;
@@ -23,7 +24,8 @@ use crate::extract::{AskedFormat, FormatParameter, NoQuery};
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::state::Service;
-use crate::validation;
+use crate::validation::{self, Pooled};
+use across_sets::{HeldOutReply, PooledReply, pooled};
 use reply::ValidationSet;
 
 /// Published measurements, with what the methods give for them.
@@ -31,6 +33,9 @@ use reply::ValidationSet;
 #[schema(as = Validation)]
 struct ValidationReply {
     sets: &'static [ValidationSet],
+    /// What a fit is worth on measurements that it has not seen.
+    held_out: Vec<HeldOutReply>,
+    pooled: PooledReply,
 }
 
 /// The sets do not change, so they are computed once, by the first who asks.
@@ -40,8 +45,20 @@ fn sets() -> &'static [ValidationSet] {
     SETS.get_or_init(|| validation::records().iter().map(|record| found::validation(record).into()).collect())
 }
 
-fn cost() -> Cost {
-    if SETS.get().is_some() { Cost::NONE } else { Cost::of_validation(validation::quadratures()) }
+/// All of it, as it is sent. The fits are made for those alone who ask for everything.
+static TEXT: OnceLock<Bytes> = OnceLock::new();
+
+fn text() -> &'static Bytes {
+    TEXT.get_or_init(|| {
+        let held_out = validation::held_out().map(HeldOutReply::from).collect();
+        let reply = ValidationReply { sets: sets(), held_out, pooled: pooled(sets()) };
+        serde_json::to_vec(&reply).unwrap_or_default().into()
+    })
+}
+
+/// The cost of what is not yet computed, with so many fits.
+fn cost<T>(known: &OnceLock<T>, fits: usize) -> Cost {
+    if known.get().is_some() { Cost::NONE } else { Cost::of_validation(validation::quadratures(), fits) }
 }
 
 /// Published measurements, with what the methods give for them
@@ -49,12 +66,11 @@ fn cost() -> Cost {
 /// Each set has its source, the wheel and soil that stand for the measured ones, and the errors of every method under the
 /// measured load. Where parameters were fitted to the very measurements, `fitted` is true: those errors are no predictions.
 /// Braking wheels are run by both laws of braking, wheels at a slip angle by the quadrature with every `shear_coupling` and
-/// `bulldozing`. The same comes as a table for one set.
+/// `bulldozing`. The same comes as a table for one set. `held_out` has parameters that were fitted to one part of the
+/// measurements and scored on another, `pooled` the errors over several sets beside those that other programs publish.
 #[utoipa::path(get, path = "/v1/validation", tag = "catalogue", responses((status = 200, description = "The sets", body = ValidationReply), InvalidQuery, Limits))]
 pub(crate) async fn validation(State(service): State<Service>, _: NoQuery) -> Result<Response, Problem> {
-    static TEXT: OnceLock<Bytes> = OnceLock::new();
-    let text = || TEXT.get_or_init(|| serde_json::to_vec(&ValidationReply { sets: sets() }).unwrap_or_default().into());
-    service.pool().run(cost(), move |_| Ok(json_text(text().clone()))).await
+    service.pool().run(cost(&TEXT, validation::fits()), |_| Ok(json_text(text().clone()))).await
 }
 
 /// One set of published measurements
@@ -76,7 +92,7 @@ pub(crate) async fn validation_set(
         let set = sets().iter().find(|set| set.id == id).ok_or_else(|| unknown("validation set", &id, &validation::ids()))?;
         written(set, format)
     };
-    service.pool().run(cost(), work).await
+    service.pool().run(cost(&SETS, 0), work).await
 }
 
 /// One of the sets, as JSON and as a table.
@@ -85,9 +101,14 @@ fn shown_set() -> Vec<(&'static str, Value)> {
     record.map(|record| Example::replies_of(&ValidationSet::from(found::validation(record)))).unwrap_or_default()
 }
 
+/// All of it with one set and one split, so that the contract does not have to compute the others.
 pub(crate) fn example() -> Example {
-    let json_alone = shown_set().into_iter().take(1).map(|(media_type, set)| (media_type, json!({ "sets": [set] })));
-    Example { request: None, replies: json_alone.collect() }
+    let of_others = Pooled::kept().sets.iter().filter_map(|id| validation::record(id));
+    let pooled = pooled(&of_others.map(|record| found::validation(record).into()).collect::<Vec<_>>());
+    let held_out: Vec<HeldOutReply> = validation::held_out().take(1).map(HeldOutReply::from).collect();
+    let set = shown_set().into_iter().take(1);
+    let replies = set.map(|(media_type, set)| (media_type, json!({"sets": [set], "held_out": held_out, "pooled": pooled})));
+    Example { request: None, replies: replies.collect() }
 }
 
 pub(crate) fn example_of_set() -> Example {

@@ -64,7 +64,7 @@ pub(crate) struct ValidationSet {
     #[schema(required = false)]
     sensitivity: Vec<SensitivityReply>,
     /// Number of points.
-    points: usize,
+    pub(super) points: usize,
     /// The errors by method, and by the options that differ from the defaults of a request.
     results: Vec<ValidationResult>,
     columns: ValidationColumns,
@@ -132,6 +132,14 @@ impl ValidationResult {
             solved: record.points().slip.len() - unsolved,
             unsolved,
         }
+    }
+}
+
+impl ValidationSet {
+    /// The error of the pull by a series; none where a point has no solution.
+    pub(super) fn drawbar_error(&self, series: &str) -> Option<f64> {
+        let result = self.results.iter().find(|result| result.series == series && result.unsolved == 0)?;
+        result.drawbar_rmse_over_load
     }
 }
 

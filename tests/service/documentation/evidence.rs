@@ -15,6 +15,13 @@ fn sets() -> Vec<Value> {
     get("/v1/validation").ok()["sets"].as_array().expect("sets").clone()
 }
 
+/// Tolerance for numbers that the test recomputes by a fit and by solved sinkages of its own: a solved sinkage is good to 1e-9.
+const RECOMPUTED: f64 = 1e-9;
+
+fn assert_close(here: f64, there: &Value, place: &str) {
+    assert!((here - number(there)).abs() <= RECOMPUTED * here.abs(), "{place}: {here}, the service says {there}");
+}
+
 fn text(value: &Value) -> &str {
     value.as_str().expect("a text")
 }
@@ -54,12 +61,19 @@ fn the_errors_beside_those_of_others_are_those_of_the_service() {
     /// As the two programs publish them.
     const OTHERS: [(&str, [f64; 5]); 2] =
         [("RoverDevKit", [0.069, 0.064, 0.125, 0.108, 0.117]), ("PINNeAPPle", [0.096, 0.050, 0.122, 0.244, 0.156])];
-    let sets = sets();
+    let validation = get("/v1/validation").ok();
+    let (sets, data) = (validation["sets"].as_array().expect("sets"), &validation["pooled"]);
     let of = |id: &str| sets.iter().find(|set| set["id"] == id).expect("a set");
     let points = SHARED.map(|id| number(&of(id)["points"]));
     assert_eq!(points.iter().sum::<f64>(), 27.0);
-    let row = |name: &str, errors: &[f64]| {
-        let all = errors.iter().copied().chain([pooled(errors, &points)]);
+    assert_eq!((&data["sets"], &data["points"]), (&json!(SHARED), &json!(27)));
+    let results = data["results"].as_array().expect("results");
+    let row = |(name, errors, told): (&str, &[f64], (&str, &str))| {
+        let of_program = results.iter().find(|result| result[told.0] == told.1).expect("a result");
+        assert_eq!(of_program["by_set"], json!(errors), "{name}");
+        let over_all = pooled(errors, &points);
+        assert_close(over_all, &of_program["drawbar_rmse_over_load"], name);
+        let all = errors.iter().copied().chain([over_all]);
         [name.to_owned()].into_iter().chain(all.map(|error| format!("{error:.3}"))).collect::<Vec<_>>()
     };
     let ours = |series: &str| {
@@ -72,9 +86,10 @@ fn the_errors_beside_those_of_others_are_those_of_the_service() {
     };
     let mut rows: Vec<Vec<String>> = ["quadrature", "linearised", "explicit", "resistive_force"]
         .iter()
-        .map(|series| row(&format!("this service, {series}"), &ours(series)))
+        .map(|series| row((&format!("this service, {series}"), &ours(series), ("series", series))))
         .collect();
-    rows.extend(OTHERS.iter().map(|(name, errors)| row(name, errors)));
+    rows.extend(OTHERS.iter().map(|(name, errors)| row((name, errors, ("program", name)))));
+    assert_eq!(results.len(), rows.len());
     assert_table("## Beside other programs", &rows);
 }
 
@@ -105,8 +120,16 @@ impl Part {
         body
     }
 
-    /// The soil with these parameters fitted to the pull of the part, under its loads.
+    /// The part as `held_out` names it.
+    fn named(&self) -> Value {
+        json!({"set": self.set["id"], "rows": self.rows})
+    }
+
+    /// The soil with these parameters fitted to the pull of the part, under its loads; nothing fitted, the published one.
     fn fitted(&self, parameters: &[&str]) -> Value {
+        if parameters.is_empty() {
+            return self.set["soil"].clone();
+        }
         let mut body = self.request(&self.set["soil"]);
         body["fit"] = json!(parameters);
         body["data"] = json!({
@@ -155,7 +178,7 @@ fn the_errors_of_the_rules_of_contact_are_those_of_the_service() {
 }
 
 /// Fitted on one part of Ding's tests, scored on the other: half of the slips of a wheel, or all of the other wheel on the same
-/// soil.
+/// soil. What `held_out` has is computed here through `/v1/identify` and `/v1/forces`, and the table is both.
 #[test]
 fn what_was_fitted_on_one_part_is_scored_on_the_other() {
     let half = |wheel: &str, parity: usize| Part::of(&format!("ding-2011-{wheel}"), move |row| row % 2 == parity);
@@ -168,14 +191,31 @@ fn what_was_fitted_on_one_part_is_scored_on_the_other() {
         ("smooth", whole("smooth"), "lugs", whole("lug10")),
         ("lugs", whole("lug10"), "smooth", whole("smooth")),
     ];
+    const FITS: [&[&str]; 3] = [&[], &["shear_modulus_m"], &["friction_angle_rad", "shear_modulus_m"]];
+    let data = get("/v1/validation").ok()["held_out"].as_array().expect("splits").clone();
+    assert_eq!(data.len(), cases.len());
     let mut helped = 0;
     let rows: Vec<Vec<String>> = cases
         .iter()
-        .map(|(fitted_on, fitted, scored_on, scored)| {
-            let nothing = scored.error(&scored.set["soil"]);
-            let modulus = scored.error(&fitted.fitted(&["shear_modulus_m"]));
-            let both = fitted.fitted(&["friction_angle_rad", "shear_modulus_m"]);
-            let (unseen, own) = (scored.error(&both), fitted.error(&both));
+        .zip(&data)
+        .map(|((fitted_on, fitted, scored_on, scored), told)| {
+            assert_eq!((&told["fitted_on"], &told["scored_on"]), (&fitted.named(), &scored.named()));
+            assert_eq!(told["results"].as_array().map(Vec::len), Some(FITS.len()));
+            let [(nothing, _), (modulus, _), (unseen, own)] = [0, 1, 2].map(|i| {
+                let (told, parameters) = (&told["results"][i], FITS[i]);
+                let soil = fitted.fitted(parameters);
+                assert_eq!(
+                    (&told["fitted"], told["values"].as_object().map(|of| of.len())),
+                    (&json!(parameters), Some(parameters.len()))
+                );
+                for name in parameters {
+                    assert_close(number(&soil[name]), &told["values"][name], name);
+                }
+                let (unseen, own) = (scored.error(&soil), fitted.error(&soil));
+                assert_close(unseen, &told["drawbar_rmse_over_load"], scored_on);
+                assert_close(own, &told["on_fitted_part"], fitted_on);
+                (unseen, own)
+            });
             assert!(own < unseen, "{scored_on}: {unseen}, {own}");
             helped += usize::from(unseen < nothing);
             let errors = [nothing, modulus, unseen, own].map(|error| format!("{error:.3}"));
