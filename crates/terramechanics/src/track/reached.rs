@@ -5,7 +5,7 @@ use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
 use crate::coupled::Coupled;
 use crate::error::Error;
 use crate::motion::{Heading, Motion};
-use crate::operation::{KnownSinkage, Sinkage};
+use crate::operating_point::{KnownSinkage, Sinkage};
 use crate::outcome::Outcome;
 use crate::pull_from_torque::CoupledForces;
 use crate::rolling::WheelOnSoil;
