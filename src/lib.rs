@@ -34,6 +34,7 @@ pub mod server;
 mod state;
 mod stream;
 mod validation;
+mod varied;
 mod warning;
 mod words;
 

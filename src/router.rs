@@ -22,7 +22,7 @@ use crate::api::slip_sweep::{self, SweepCase};
 use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::towed::{self, TowedCase};
 use crate::api::vehicle::{self, VehicleCase};
-use crate::api::{catalogue, health, limits, model, track, validation};
+use crate::api::{catalogue, health, limits, model, sweep, track, validation};
 use crate::contract::{self, Contract};
 use crate::problem::Problem;
 use crate::state::Service;
@@ -35,11 +35,12 @@ fn operations() -> Operations {
         .room::<ForcesCase>(routes!(forces::forces, forces::forces_of_query))
         .room::<ProfileCase>(routes!(stress_profile::stress_profile, stress_profile::stress_profile_of_query))
         .room::<SweepCase>(routes!(slip_sweep::slip_sweep, slip_sweep::slip_sweep_of_query))
+        .shown(routes!(sweep::sweep), sweep::example)
         .room::<CompareCase>(routes!(compare::compare))
         .room::<CoupledCase>(routes!(coupled::coupled))
         .room::<ResistancesCase>(routes!(resistances::resistances, resistances::resistances_of_query))
         .room::<TowedCase>(routes!(towed::towed))
-        .room::<VehicleCase>(routes!(vehicle::vehicle))
+        .room::<VehicleCase>(routes!(vehicle::vehicle, vehicle::vehicle_of_query))
         .room::<IdentifyCase>(routes!(identify::identify))
         .room::<PlatesCase>(routes!(plates::plates))
         .room::<ShearTestsCase>(routes!(shear::shear))

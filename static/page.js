@@ -8,8 +8,9 @@ import { catalogueOf } from "./api/endpoints.js";
 import { showNominalLoad, showOrigin } from "./catalogue/presets.js";
 import { createControls } from "./controls/controls.js";
 import { button, byId, find } from "./dom/find.js";
-import { connectMeasurements } from "./measurements/measurements.js";
-import { connectModel } from "./model/statement.js";
+import { connectMeasurements } from "./measurements/section.js";
+import { connectModel } from "./model/dialog.js";
+import { connectRover } from "./rover/rover.js";
 import { ALL_PARTS, createView } from "./results/view.js";
 import { askAll, faultsOf } from "./rounds/outcomes.js";
 import { createRounds } from "./rounds/rounds.js";
@@ -20,7 +21,7 @@ import { changesFor } from "./state/found-soil.js";
 import { contextOf } from "./state/preset.js";
 import { settingsOf } from "./state/settings.js";
 import { createStatus } from "./status/status.js";
-import { connectValidation } from "./validation/validation.js";
+import { connectValidation } from "./validation/section.js";
 
 /** @import { Catalogue } from "./api/types.js" */
 /** @import { ShownFault } from "./controls/faults.js" */
@@ -29,9 +30,6 @@ import { connectValidation } from "./validation/validation.js";
 
 /** @type {Catalogue} */
 const EMPTY_CATALOGUE = { wheels: new Map(), soils: new Map() };
-/** After this the status line says that the results are not yet those of the inputs. */
-const SLOW_MS = 500;
-
 const app = byId("app");
 const fourth = find(app, "#fourth", HTMLSelectElement);
 
@@ -49,9 +47,12 @@ const view = createView(app, {
   onCurves: (series) => measurements.compare(series),
   onPick: (percent) => change({ slip_pct: String(Number(percent.toFixed(6))) }, { discrete: true }),
 });
+const rover = connectRover(byId("rover-section"), (degrees) => change({ slope_deg: String(Number(degrees.toFixed(6))) }, { discrete: true }));
 const measurements = connectMeasurements(byId("measurements"), {
   settings: () => settingsOf(state, catalogue),
   onData: () => view.drawSlipCharts(),
+  onLoadKnown: () => change({ by: "static", load_known: "1" }, { discrete: true }),
+  onCircle: (circle) => change({ slip_radius: circle }, { discrete: true }),
   onSoil: (found) => change(changesFor(found, state, catalogue), { discrete: true }),
 });
 const rounds = createRounds({
@@ -65,7 +66,7 @@ const address = createAddress(() => state, () => {
   takeAddress();
   showControls();
   view.drawSlipCharts();
-  rounds.request({ supersede: true });
+  ask({ supersede: true });
 });
 
 /**
@@ -98,7 +99,7 @@ function change(changes, { discrete }) {
   state = consistent(changes.braking === "" ? withoutBraking(next) : next);
   address.write({ discrete });
   showControls();
-  rounds.request({ supersede: discrete });
+  ask({ supersede: discrete });
 }
 
 function showControls() {
@@ -121,7 +122,6 @@ async function fillCatalogue() {
 /** @param {AbortSignal} signal */
 async function round(signal) {
   app.dataset.busy = "true";
-  const slow = setTimeout(status.loading, SLOW_MS);
   try {
     await fillCatalogue();
     const settings = settingsOf(state, catalogue);
@@ -130,11 +130,26 @@ async function round(signal) {
       return;
     }
     const outcomes = await askAll(settings, signal);
-    if (!signal.aborted) showFaults(faultsOf(outcomes), view.show(settings, outcomes));
+    if (signal.aborted) return;
+    const stale = view.show(settings, outcomes);
+    await rover.show(settings, outcomes.rover, (outcomes.forces.answer?.warnings ?? []).map(({ code }) => code));
+    if (!signal.aborted) showFaults(faultsOf(outcomes), stale);
   } finally {
-    clearTimeout(slow);
     app.dataset.busy = "false";
   }
+}
+
+/** From an input until its answer nothing on the page is the answer to the inputs. */
+function markPending() {
+  view.markStale(ALL_PARTS);
+  measurements.tell();
+  status.pending();
+}
+
+/** What is asked for after the inputs have changed. @param {{ supersede: boolean }} how */
+function ask(how) {
+  markPending();
+  rounds.request(how);
 }
 
 /**
@@ -144,9 +159,12 @@ async function round(signal) {
  */
 function showFaults(faults, stale) {
   const placed = controls.showFaults(faults);
-  view.markStale(stale);
-  if (placed.length) status.faults(placed);
-  else status.ready();
+  if (!rounds.isLatest()) markPending();
+  else {
+    view.markStale(stale);
+    if (placed.length) status.faults(placed);
+    else status.ready();
+  }
   app.dataset.round = String(Number(app.dataset.round) + 1);
   // Before the first results the page is so short that this section is in view at once.
   if (!isValidationConnected) connectValidation(byId("validation"));

@@ -42,12 +42,12 @@ check("a dropped table is fitted on demand, and its soil becomes the page's", as
     assert.ok((await page.innerText(`${chart} [data-curve="measured"]`)).includes("rms"), chart);
   }
   assert.ok(Number(await page.getAttribute('[data-rms="torque_n_m"]', "data-value")) > 0);
-  assert.deepEqual(asked.filter((path) => path !== "/v1/validation"), [], "nothing is asked of the service before the button");
+  assert.deepEqual(asked.filter((path) => path.startsWith("/v1/") && path !== "/v1/validation"), [], "nothing is asked of the service before the button");
 
   const before = await paths(page, "#longitudinal-force-chart");
   await page.click("#fit-soil");
   await page.waitForSelector('#identification[data-state="fitted"]');
-  assert.deepEqual(asked.filter((path) => path !== "/v1/validation"), ["/v1/identify"]);
+  assert.deepEqual(asked.filter((path) => path.startsWith("/v1/") && path !== "/v1/validation"), ["/v1/identify"]);
   const found = Number(await page.getAttribute('[data-estimate="friction_angle_rad"]', "data-value"));
   assert.ok(Math.abs(found - FRICTION_RAD) < FRICTION_TOLERANCE_RAD, `finds ${found} rad`);
   assert.ok((await page.innerText("#fit-result")).includes("31.5"), "the angle is told in degrees");

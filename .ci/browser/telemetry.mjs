@@ -42,7 +42,7 @@ check("a track with velocities is followed on demand, drawn over time, and gives
   await dropFile(page, telemetry());
   assert.deepEqual(await chosen(page), ["time_s s", "forward_velocity_m_s mm/s", "angular_velocity_rad_s rpm", "torque_n_m N·m"]);
   assert.equal(await state(page), "ready", `${await faults(page)}`);
-  assert.deepEqual(asked.filter((path) => path !== "/v1/validation"), [], "nothing is asked of the service before the button");
+  assert.deepEqual(asked.filter((path) => path.startsWith("/v1/") && path !== "/v1/validation"), [], "nothing is asked of the service before the button");
   assert.ok((await page.innerText("#track-terms")).replaceAll("\u00a0", " ").includes("load of 90.0 N"), await page.innerText("#track-terms"));
   assert.equal(await pointsIn(page, "#torque-chart"), 0, "there is no slip yet");
   assert.ok(await page.isHidden("#identification"));
@@ -150,5 +150,34 @@ check("telemetry fits on a narrow screen", async (page) => {
   await followed(page);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
 }, { context: { viewport: { width: 390, height: 844 } } });
+
+check("slip, static sinkage and load lead to pull and torque", async (page) => {
+  const slips = [0.1, 0.2, 0.3, 0.4];
+  const loads = [100, 110, 120, 130];
+  const own = { time_s: slips.map((_, row) => row), slip: slips };
+  for (const { name, sent, columns } of [
+    { name: "load of the page", sent: { normal_load_n: 120 }, columns: own },
+    { name: "load of a column", sent: {}, columns: { ...own, normal_load_n: loads } },
+  ]) {
+    // The modulus of this soil was not published.
+    await open(page, "?soil=wong-reece-loose-sand&method=linearised&load_known=1&load_n=120&static_mm=12");
+    const isColumn = "normal_load_n" in columns;
+    const rows = slips.map((slip, row) => [row, slip, ...(isColumn ? [loads[row]] : [])].join(","));
+    await dropFile(page, [isColumn ? "t,s,W [N]" : "t,s", ...rows].join("\n"));
+    await page.click("#track-use-load");
+    await ready(page);
+    assert.equal(await page.isChecked("#by-static"), true, name);
+    assert.ok(await page.isHidden("#track-lead"), "what leads is taken");
+    assert.match(await page.innerText("#track-terms"), /takes the place of the sinkage modulus/);
+    await followed(page);
+    const answer = await ask("/v1/track", {
+      wheel: { preset: "letter" }, soil: { preset: "wong-reece-loose-sand" }, method: "linearised", static_sinkage_m: 0.012, ...sent, columns,
+    });
+    for (const [chart, quantity] of [["#track-force-chart", "longitudinal_force_n"], ["#track-torque-chart", "torque_n_m"]]) {
+      assert.ok(answer.columns[quantity].every((value) => typeof value === "number"), quantity);
+      assertPoints(await drawn(page, chart), "linearised", own.time_s, answer.columns[quantity]);
+    }
+  }
+}, { refused: true });
 
 await run();

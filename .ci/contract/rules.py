@@ -51,6 +51,9 @@ GRAINS = "resistive_force"
 # Fields of a wheel that moves at an angle to its plane.
 SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
 
+# Values that say the same as leaving the field out.
+NEUTRAL = {"slip_angle_rad": [0], "rut": [False]}
+
 # How a refusal starts whose reason stands in the schema: a bound, a type, a word, a name, a field that is left out.
 IN_THE_SCHEMA = ("must be ", "must have ", "unknown name ", "unknown field", "is required")
 # The one field that may be required in spite of the schema: a value that nobody published for a preset.
@@ -222,7 +225,7 @@ def by_soil(schema):
     if field == "methods":
         others["properties"]["methods"]["maxItems"] -= 1
     for name in ("lambda_a", "lambda_b"):
-        if has(grains, [name]):
+        if has(grains, [name]) and field == "method":  # a comparison may have them for another of its methods
             grains["properties"][name] = {"type": "null"}
     if has(grains, ["braking"]):
         grains["properties"]["braking"]["enum"] = ["one_zone"]
@@ -297,8 +300,8 @@ def requiring(schema, fields, without=()):
         if name in LEFT_OUT:
             del variant["properties"][name]
         else:
-            # Another variant has it, where null makes this one of it. Straight ahead is no slip angle, or one of 0.
-            variant["properties"][name] = {"enum": [None, 0]} if name == "slip_angle_rad" else {"type": "null"}
+            # Another variant has it, where null makes this one of it.
+            variant["properties"][name] = {"enum": [None, *NEUTRAL.get(name, [])]}
     return variant
 
 

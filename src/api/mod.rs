@@ -18,6 +18,7 @@ pub(crate) mod responses;
 pub(crate) mod room;
 pub(crate) mod slip_sweep;
 pub(crate) mod stress_profile;
+pub(crate) mod sweep;
 pub(crate) mod towed;
 pub(crate) mod track;
 pub(crate) mod validation;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use terramechanics::{AngleRatio, Law, PeakRule, PressureSinkage, ShearLaw};
+use terramechanics::{AngleRatio, Law, PeakRule, PressureSinkage, ShearLaw, Soil};
 use utoipa::ToSchema;
 
 use super::record::{Grade, SOIL_FIELDS, SoilRecord, Value, Values, WHEEL_FIELDS, WheelRecord};
@@ -155,7 +155,10 @@ impl SoilRecord {
     /// The record as it is shown.
     pub(crate) fn view(&self) -> SoilView<'_> {
         let missing = self.missing();
-        let is_missing = |of: &&Substitute| of.field.split('.').next().is_some_and(|field| missing.contains(&field));
+        // The density is missing only by the method resistive_force.
+        let is_missing = |of: &&Substitute| {
+            of.field.split('.').next().is_some_and(|field| missing.contains(&field) || field == Soil::BULK_DENSITY.name)
+        };
         let mut values = views(&self.values, &self.source, self.grade);
         if let Some(contact) = &self.contact {
             values.extend(views(&contact.values, &self.source, self.grade));

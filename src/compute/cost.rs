@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use terramechanics::{Method, Operation, Sinkage, Vehicle};
+use terramechanics::{Drive, Method, Operation, Sinkage, Turning, Vehicle};
 
 use super::SLICE;
 
@@ -26,8 +26,17 @@ const ALLOWANCE: f64 = 1e9;
 /// The price of a single contact that is solved: see [`ALLOWANCE`].
 const SOLVED: f64 = 60e6;
 
+/// Operating points that the search for the slip of a pull usually takes.
+const SLIP_SEARCH: f64 = 30.0;
+
 /// How many times the cost of a load balance one in a rut has.
 const RUT: f64 = 2.0;
+
+/// Load balances that a wheel takes whose slip follows from the torque of the others.
+const SHARED_TORQUE: f64 = 16.0;
+
+/// And from a torque of its own, for which all slips are searched: in ruts for each slip of the others, else once on a slope.
+const OWN_TORQUE: [f64; 2] = [90.0, 10.0];
 
 /// What one operating point costs, in nanoseconds.
 #[derive(Debug, Clone, Copy)]
@@ -140,7 +149,7 @@ impl Cost {
     /// The cost of the slip that gives a pull: it usually takes some thirty operating points, and at most some 1500.
     pub(crate) fn of_solved_slip(operation: &Operation) -> Self {
         let Point { usual, .. } = Point::of(operation);
-        Self { usual: 30.0 * usual + Point::ROW, price: ALLOWANCE }
+        Self { usual: SLIP_SEARCH * usual + Point::ROW, price: ALLOWANCE }
     }
 
     /// The cost of `points` operating points for each of several operations, and of writing their rows.
@@ -157,14 +166,36 @@ impl Cost {
         Self { usual, price: price + allowance }
     }
 
+    /// The cost of so many requests like one for an operating point, each read by itself; where the slip is solved, of as many searches.
+    pub(crate) fn of_rows(operation: &Operation, solves_slip: bool, rows: usize) -> Self {
+        let point = Point::of(operation);
+        let points = if solves_slip { SLIP_SEARCH } else { 1.0 + Point::at_standstill(operation) };
+        let each = |of_point: f64| rows as f64 * (points * of_point + Self::READ + Point::ROW);
+        Self { usual: each(point.usual), price: ALLOWANCE + each(point.price) }
+    }
+
+    /// What it takes to read a request that is there already (ns).
+    const READ: f64 = 3e3;
+
     /// The cost of a rover on so many slopes: each takes some fifteen slips, and the largest slope some hundred and fifty, with a load
-    /// balance for every station at each.
+    /// balance for every station at each, or with several where its slip follows from a torque.
     pub(crate) fn of_vehicle(vehicle: &Vehicle, slopes: usize) -> Self {
         let params = vehicle.params();
         let [_, loaded, _] = Point::by_method(params.model.method);
         let in_rut = if params.unloading.is_some() { RUT } else { 1.0 };
         let slips = 15.0 * slopes as f64 + 150.0;
-        let usual = slips * params.stations.len() as f64 * in_rut * loaded.usual + slopes as f64 * Point::ROW;
+        let balances = params.stations.iter().map(|station| match (station.turning, params.drive) {
+            (Turning::UnderTorque(_), _) => OWN_TORQUE[usize::from(params.unloading.is_none())],
+            (Turning::Together, Drive::EqualTorque) => SHARED_TORQUE,
+            (Turning::Together, Drive::OneSlip) | (Turning::AtSlip(_), _) => 1.0,
+        });
+        let usual = slips * balances.sum::<f64>() * in_rut * loaded.usual + slopes as f64 * Point::ROW;
+        Self { usual, price: ALLOWANCE + 3.0 * usual }
+    }
+
+    /// The cost of so many rovers like one, each read by itself and on one slope.
+    pub(crate) fn of_rovers(vehicle: &Vehicle, rovers: usize) -> Self {
+        let usual = rovers as f64 * (Self::of_vehicle(vehicle, 1).usual + Self::READ);
         Self { usual, price: ALLOWANCE + 3.0 * usual }
     }
 

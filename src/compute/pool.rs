@@ -93,6 +93,18 @@ impl Pool {
         Place::of(&self.stream_places, &self.turns)
     }
 
+    /// A place for a stream of this cost, which may last for so long.
+    ///
+    /// # Errors
+    /// [`Problem::TooCostly`] where its price is higher; [`Problem::Busy`] if none is free.
+    pub(crate) fn stream_place_for(&self, cost: Cost, longest: Duration) -> Result<Place, Problem> {
+        let price = cost.price();
+        if price > longest {
+            return Err(Problem::TooCostly { price, limit: longest, spent: false });
+        }
+        self.stream_place()
+    }
+
     /// Runs `work` where its cost allows and returns its result. The work has to check its pace often.
     ///
     /// # Errors

@@ -46,6 +46,23 @@ impl Example {
     }
 }
 
+/// A reply in each of the forms of a series: as JSON, as a table and as an object a line.
+pub(crate) fn replies_of_texts(json: Option<Value>, table: &str, objects: &str) -> Vec<(&'static str, Value)> {
+    let rounded_cell = |cell: &str| cell.parse().map_or_else(|_| cell.to_owned(), |value: f64| format!("{:?}", rounded(value)));
+    let rounded_line = |line: &str| match line.strip_prefix('#') {
+        Some(_) => line.to_owned(),
+        None => line.split(',').map(rounded_cell).collect::<Vec<_>>().join(","),
+    };
+    let rounded_object = |line: &str| serde_json::from_str(line).map(with_rounded_numbers).unwrap_or_default().to_string();
+    let lines =
+        |text: &str, rounded: &dyn Fn(&str) -> String| -> String { text.lines().map(|line| rounded(line) + "\n").collect() };
+    vec![
+        (JSON, json.map(with_rounded_numbers).unwrap_or_default()),
+        ("text/csv", lines(table, &rounded_line).into()),
+        ("application/x-ndjson", lines(objects, &rounded_object).into()),
+    ]
+}
+
 /// Puts at every path what is shown of it: the body at the request, its fields at the parameters of a twin, the answer at both.
 pub(crate) fn attach(document: &mut OpenApi, shown: &[Shown]) {
     for Shown { path, example } in shown {
@@ -93,12 +110,12 @@ fn set_parameters(operation: &mut Operation, body: &Value) {
 }
 
 /// A number with as many digits as an example keeps.
-pub(crate) fn rounded(value: f64) -> f64 {
+fn rounded(value: f64) -> f64 {
     format!("{value:.*e}", DIGITS as usize - 1).parse().unwrap_or(value)
 }
 
 /// A value with its numbers rounded.
-pub(crate) fn with_rounded_numbers(value: Value) -> Value {
+fn with_rounded_numbers(value: Value) -> Value {
     match value {
         Value::Number(number) if number.is_f64() => number.as_f64().map_or(Value::Null, |number| rounded(number).into()),
         Value::Array(items) => items.into_iter().map(with_rounded_numbers).collect(),

@@ -18,7 +18,7 @@ use utoipa::openapi::tag::TagBuilder;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-pub(crate) use self::examples::{Example, Shown, rounded, with_rounded_numbers};
+pub(crate) use self::examples::{Example, Shown, replies_of_texts};
 use self::part::ContractCase;
 use self::paths::Known;
 use crate::answer::json_text;

@@ -50,7 +50,7 @@ fn quoted(text: &str) -> Cow<'_, str> {
 }
 
 /// A JSON object in a line, of names that need no escape; null for no number.
-pub(crate) fn ndjson_line<'a>(cells: impl IntoIterator<Item = (&'static str, Cell<'a>)>, out: &mut Vec<u8>) {
+pub(crate) fn ndjson_line<'a>(cells: impl IntoIterator<Item = (&'a str, Cell<'a>)>, out: &mut Vec<u8>) {
     let mut before = b'{';
     for (name, cell) in cells {
         out.extend_from_slice(&[before, b'"']);

@@ -13,11 +13,11 @@ mod schema;
 mod table;
 mod unit;
 
-pub(crate) use cell::{Cell, Digits, csv, line, write_table};
+pub(crate) use cell::{Cell, Digits, csv, line, ndjson_line, write_table};
 pub(crate) use columns::{Columns, Shape, Values};
 pub(crate) use number::number;
 pub(crate) use point::{OfPoint, Part, Point, PointValue};
-pub(crate) use point_columns::{PointColumns, point_rows};
+pub(crate) use point_columns::{PointColumns, every_point_column, point_columns, point_rows};
 pub(crate) use sample::{Beside, OfSample, Row, SampleValue};
 pub(crate) use sample_columns::{SampleCells, SampleColumns, SampleLists};
 pub(crate) use schema::{Field, add_units, object_of, with_fields};

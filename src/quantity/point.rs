@@ -10,7 +10,7 @@ pub(crate) enum Part {
     Components,
     Across,
     Coefficients,
-    /// A property of soil and wheel at this slip: given for a single point, not as a column.
+    /// A property of soil and wheel at this slip: given for a single point, and as a column where a known load shows it.
     Soil,
 }
 
@@ -34,6 +34,8 @@ pub(crate) enum PointValue {
     Found(fn(&Point<'_>) -> f64),
     /// Undefined at some points.
     OrNone(fn(&Point<'_>) -> Option<f64>),
+    /// A property of the soil, and a column only where a known load shows it.
+    UnderLoad(fn(&Point<'_>) -> Option<f64>),
     /// There where a slip angle was sent.
     Sideways(fn(&SideForce) -> f64),
 }
@@ -49,6 +51,7 @@ impl OfPoint {
     /// The operations whose answers have it.
     pub(super) fn operations(self) -> &'static [&'static str] {
         match (self.part, self.value) {
+            (Part::Soil, PointValue::UnderLoad(_)) => &["/v1/forces", "/v1/slip-sweep", "/v1/compare"],
             (Part::Soil, _) => &["/v1/forces"],
             // A comparison is of wheels that go straight ahead.
             (_, PointValue::Sideways(_)) => &["/v1/forces", "/v1/slip-sweep"],
@@ -88,20 +91,24 @@ impl PointValue {
         match self {
             Self::Asked(value) => value(point.motion.slip),
             Self::Found(value) => value(point),
-            Self::OrNone(value) => value(point).unwrap_or(f64::NAN),
+            Self::OrNone(value) | Self::UnderLoad(value) => value(point).unwrap_or(f64::NAN),
             Self::Sideways(value) => point.forces.side.as_ref().map_or(f64::NAN, value),
         }
     }
 
     /// The value at a slip without an answer.
-    pub(super) fn without(self, slip: Slip) -> f64 {
+    pub(crate) fn without(self, slip: Slip) -> f64 {
         match self {
             Self::Asked(value) => value(slip),
-            Self::Found(_) | Self::OrNone(_) | Self::Sideways(_) => f64::NAN,
+            Self::Found(_) | Self::OrNone(_) | Self::UnderLoad(_) | Self::Sideways(_) => f64::NAN,
         }
     }
 
     pub(crate) fn is_sideways(self) -> bool {
         matches!(self, Self::Sideways(_))
+    }
+
+    pub(super) fn is_under_load(self) -> bool {
+        matches!(self, Self::UnderLoad(_))
     }
 }

@@ -1,6 +1,6 @@
 //! The quantities of operating points as columns.
 
-use terramechanics::{Motion, SlipSweep, WheelOnSoil};
+use terramechanics::{Motion, NormalStressFrom, Operation, SlipSweep};
 
 use super::columns::{Columns, Shape, Values};
 use super::point::{OfPoint, Point, PointValue};
@@ -12,9 +12,19 @@ pub(crate) fn point_rows() -> impl Iterator<Item = (&'static About, OfPoint)> {
     TABLE.iter().filter_map(|quantity| Some((&quantity.about, quantity.point?)))
 }
 
-/// The columns of a sweep.
-fn columns() -> impl Iterator<Item = (&'static About, PointValue)> {
-    point_rows().filter(|(_, of)| of.part.is_column()).map(|(about, of)| (about, of.value))
+/// The columns that operating points may have.
+pub(crate) fn every_point_column() -> impl Iterator<Item = (&'static About, PointValue)> {
+    point_rows().filter(|(_, of)| of.part.is_column() || of.value.is_under_load()).map(|(about, of)| (about, of.value))
+}
+
+/// The columns of operating points; with those across the wheel where a slip angle was sent, and with what the load shows of the
+/// soil where it is known beside the sinkage.
+pub(crate) fn point_columns(
+    operation: &Operation,
+    is_sideways: bool,
+) -> impl Iterator<Item = (&'static About, PointValue)> + use<> {
+    let under_load = operation.sinkage.normal_stress_from() == NormalStressFrom::Load;
+    every_point_column().filter(move |(_, value)| (is_sideways || !value.is_sideways()) && (under_load || !value.is_under_load()))
 }
 
 /// Columns of operating points.
@@ -31,16 +41,21 @@ impl Shape for OfPoints {
         let field = |(about, value): (&'static About, PointValue)| Field {
             about,
             nullable: !matches!(value, PointValue::Asked(_)),
-            present: value.is_sideways().then_some("where a slip angle was sent"),
+            present: match value {
+                PointValue::Sideways(_) => Some("where a slip angle was sent"),
+                PointValue::UnderLoad(_) => Some("where the load is known beside the sinkage"),
+                PointValue::Asked(_) | PointValue::Found(_) | PointValue::OrNone(_) => None,
+            },
         };
-        columns().map(field).collect()
+        every_point_column().map(field).collect()
     }
 }
 
 impl PointColumns {
-    /// The columns of a sweep of a wheel that moves forward; with those across it where a slip angle was sent.
-    pub(crate) fn of(sweep: &SlipSweep, system: &WheelOnSoil, is_sideways: bool) -> Self {
-        let wanted: Vec<_> = columns().filter(|(_, value)| is_sideways || !value.is_sideways()).collect();
+    /// The columns of a sweep of a wheel that moves forward.
+    pub(crate) fn of(sweep: &SlipSweep, operation: &Operation, is_sideways: bool) -> Self {
+        let system = &operation.system;
+        let wanted: Vec<_> = point_columns(operation, is_sideways).collect();
         let mut lists: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(sweep.rows.len())).collect();
         for row in &sweep.rows {
             let point = row.point.as_ref().ok().map(|point| Point::of(system, Motion::forward(row.slip), point));

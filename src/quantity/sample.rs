@@ -12,6 +12,8 @@ pub(crate) enum SampleValue {
     Word(fn(&TrackRow) -> &'static str),
     /// Only where a torque was measured.
     WithTorque(fn(&TrackRow) -> f64),
+    /// Only where the load is known beside the sinkage.
+    OfLoad(fn(&TrackRow) -> f64),
     /// From the running estimate of the strength, where it was asked for.
     Running(fn(&StrengthEstimate) -> f64),
 }
@@ -27,6 +29,8 @@ pub(crate) struct OfSample {
 pub(crate) struct Beside {
     /// The pull by the coupled form, from a measured torque.
     pub(crate) coupled: bool,
+    /// What the load shows of the soil.
+    pub(crate) under_load: bool,
     /// The running estimate of the strength.
     pub(crate) strength: bool,
 }
@@ -41,7 +45,7 @@ pub(crate) struct Row<'a> {
 impl SampleValue {
     pub(super) fn cell(self, of: &Row<'_>) -> Cell<'static> {
         match self {
-            Self::Number(value) | Self::WithTorque(value) => Cell::Number(value(of.row)),
+            Self::Number(value) | Self::WithTorque(value) | Self::OfLoad(value) => Cell::Number(value(of.row)),
             Self::Word(word) => Cell::Word(word(of.row)),
             Self::Running(value) => Cell::Number(of.strength.map_or(f64::NAN, value)),
         }
@@ -51,6 +55,7 @@ impl SampleValue {
         match self {
             Self::Number(_) | Self::Word(_) => true,
             Self::WithTorque(_) => beside.coupled,
+            Self::OfLoad(_) => beside.under_load,
             Self::Running(_) => beside.strength,
         }
     }

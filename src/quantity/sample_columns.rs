@@ -54,6 +54,7 @@ impl Shape for OfSamples {
             present: match value {
                 SampleValue::Number(_) | SampleValue::Word(_) => None,
                 SampleValue::WithTorque(_) => Some("where a torque was measured"),
+                SampleValue::OfLoad(_) => Some("where the load is known beside the sinkage"),
                 SampleValue::Running(_) => Some("where `strength` was asked for"),
             },
         };

@@ -1,9 +1,9 @@
 //! The table: to add a quantity to answers is to add a row.
 
 use super::Part::{Across, Coefficients, Components, Motion, Resultant, Soil};
-use super::PointValue::{Asked, Found, OrNone, Sideways};
+use super::PointValue::{Asked, Found, OrNone, Sideways, UnderLoad};
 use super::Quantity;
-use super::SampleValue::{Number, Running, WithTorque, Word};
+use super::SampleValue::{Number, OfLoad, Running, WithTorque, Word};
 use super::unit::PRESSURE_PER_POWER;
 
 /// All quantities of an operating point and of a sample, in the order of their columns.
@@ -54,7 +54,8 @@ pub(crate) static TABLE: &[Quantity] = &[
         PRESSURE_PER_POWER,
         "sinkage modulus: the soil's, or the one that a known load shows; null where it cancels and the soil has no exponent, and by the method resistive_force",
     )
-    .of_point(Soil, OrNone(|at| at.point.sinkage_modulus())),
+    .of_point(Soil, UnderLoad(|at| at.point.sinkage_modulus()))
+    .of_sample(OfLoad(|row| row.sinkage_modulus)),
     Quantity::new(
         "sinkage_exponent",
         "N",
@@ -68,7 +69,8 @@ pub(crate) static TABLE: &[Quantity] = &[
         "N/m3",
         "granular stiffness: the soil's, or the one that a known load shows; null but by the method resistive_force",
     )
-    .of_point(Soil, OrNone(|at| at.point.granular_stiffness)),
+    .of_point(Soil, UnderLoad(|at| at.point.granular_stiffness))
+    .of_sample(OfLoad(|row| row.granular_stiffness)),
     Quantity::new("shearing_radius_m", "r_s", "m", "shearing radius").of_point(Soil, Found(|at| at.wheel.shearing_radius())),
     Quantity::new("power_w", "T ω", "W", "mechanical power; null where only the slip is known")
         .of_sample(Number(|row| row.power)),

@@ -1,7 +1,7 @@
 //! What was found of one parameter, with words for people who do not fit every day.
 
 use serde::Serialize;
-use terramechanics_identification::{Bound, Estimate, Identifiability, Unknown};
+use terramechanics_identification::{Bound, Estimate, Identifiability, Setup, Unknown};
 use utoipa::ToSchema;
 
 use crate::quantity::number;
@@ -14,6 +14,9 @@ pub(crate) struct EstimateReply {
     /// Its name.
     #[schema(example = "cohesion_pa")]
     parameter: &'static str,
+    /// What was found: the parameter itself, or, by a fit to a wheel without lugs and without an interface, its counterpart between rim and soil.
+    #[schema(example = "interface_adhesion_pa")]
+    found: &'static str,
     value: f64,
     /// Standard error; null where the data leave the parameter open. At a bound it is the error without the bound.
     standard_error: Option<f64>,
@@ -38,11 +41,19 @@ impl EstimateReply {
     }
 }
 
+impl EstimateReply {
+    /// The result of a fit to a wheel.
+    pub(crate) fn of_wheel(estimate: &Estimate, setup: &Setup) -> Self {
+        Self { found: estimate.unknown.found_by(setup).name(), ..Self::from(estimate) }
+    }
+}
+
 impl From<&Estimate> for EstimateReply {
     fn from(estimate: &Estimate) -> Self {
         let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
         Self {
             parameter: estimate.unknown.name(),
+            found: estimate.unknown.name(),
             value: estimate.value,
             standard_error: finite(estimate.standard_error),
             interval_95: estimate.interval.filter(|interval| interval.iter().all(|end| end.is_finite())),

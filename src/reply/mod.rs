@@ -3,11 +3,13 @@
 mod assuming;
 mod estimate;
 mod method;
+mod rows;
 pub(crate) mod soil;
 
 pub(crate) use assuming::{AssumedReply, Assuming};
 pub(crate) use estimate::EstimateReply;
 pub(crate) use method::method_name;
+pub(crate) use rows::{RowFormat, comment, object};
 
 use std::borrow::Cow;
 
@@ -16,6 +18,9 @@ use terramechanics::Angles;
 use utoipa::ToSchema;
 
 use crate::warning::Warning;
+
+/// Rows of an answer in columns, and samples that a JSON body may have; there is no limit to those of the other forms.
+pub(crate) const MOST_IN_COLUMNS: usize = 100_000;
 
 /// An answer that can also be written as a table.
 pub(crate) trait Reply: Serialize {

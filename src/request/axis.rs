@@ -58,7 +58,12 @@ fn spaced(range: &Reader<'_>) -> Option<Vec<Slip>> {
 
 /// So many equally spaced numbers, both ends included.
 pub(crate) fn spread(from: f64, to: f64, points: f64) -> impl Iterator<Item = f64> {
-    (0..points as u32).map(move |i| equally_spaced(from, to, f64::from(i) / (points - 1.0)))
+    (0..points as u32).map(move |i| spread_at(from, to, points, i))
+}
+
+/// The number of that place among so many, from 0.
+pub(crate) fn spread_at(from: f64, to: f64, points: f64, i: u32) -> f64 {
+    equally_spaced(from, to, f64::from(i) / (points - 1.0))
 }
 
 /// The number at `share` of the way between two others. Where a number of 14 decimals is as near as rounding can tell, it is

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use terramechanics::{AngleRatio, Contact, ContactParams, ExitRule, Interface, PeakRule, SinkageRatio};
-use terramechanics_reading::{Chosen, Field, Number, Object, Reader, Tagged, Variant};
+use terramechanics_reading::{Base, Chosen, Field, Number, Object, Reader, Tagged, Variant};
 
 use super::laws::{chosen, own_field, variants};
 use super::soil::Needs;
@@ -45,6 +45,9 @@ pub(crate) const FORMS: Tagged = Tagged {
         &VARIANTS
     },
     also: &[&EXIT, &INTERFACE],
+    without_word: Some(
+        "Single values of the contact that the catalogue measured with the soil, in place of its own; the rule and its other values stay. Without such a contact, `rule` is required.",
+    ),
 };
 
 /// The rule of a contact, and its exit by c3.
@@ -54,9 +57,20 @@ fn of_form(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
     Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit, ..ContactParams::MIDPOINT })
 }
 
-/// The contact that was sent, if one was; without the circles.
-pub(crate) fn read(object: &Reader<'_>, field: &Field<&'static Tagged>, needs: Needs<'_>) -> Option<Option<ContactParams>> {
-    let form = object.chosen(field, needs.fitted);
+/// The contact that was sent, if one was; without the circles. What it leaves out is that of the `measured` one, if it names no rule.
+pub(crate) fn read(
+    object: &Reader<'_>,
+    field: &Field<&'static Tagged>,
+    measured: Option<&Contact>,
+    needs: Needs<'_>,
+) -> Option<Option<ContactParams>> {
+    let measured = measured.map(Contact::params);
+    let value = |name: &str| {
+        let parameters = measured.into_iter().flat_map(|params| params.rule.parameters().chain(params.exit.parameters()));
+        parameters.into_iter().find(|(of, _)| of.name == name).map(|(_, value)| value)
+    };
+    let base = measured.map(|params| Base { form: params.rule.law().name, value: &value });
+    let form = object.chosen(field, base.as_ref(), needs.fitted);
     let Some(beside) = object.within(field) else { return form.map(|_| None) };
     let (exit, interface) = (exit(&beside), interface(&beside));
     let params = of_form(&form??)?;

@@ -74,6 +74,9 @@ pub(crate) const PRESSURE_SINKAGE: Tagged = Tagged {
         &VARIANTS
     },
     also: &[],
+    without_word: Some(
+        "Single values of the preset's law, in place of its own; the law and its other values stay. Without a preset that has a law, `law` is required.",
+    ),
 };
 
 pub(crate) fn pressure_sinkage(Chosen { index, values }: &Chosen) -> Option<PressureSinkage> {
@@ -94,6 +97,9 @@ pub(crate) const SHEAR: Tagged = Tagged {
         &VARIANTS
     },
     also: &[],
+    without_word: Some(
+        "Single values of the preset's law, in place of its own; the law and its other values stay. Without a preset, `law` is required.",
+    ),
 };
 
 /// Whether the parameter of the law is a field of the soil.
@@ -122,6 +128,7 @@ pub(crate) const SLIP_SINKAGE: Tagged = Tagged {
         &VARIANTS
     },
     also: &[],
+    without_word: None,
 };
 
 pub(crate) fn slip_sinkage(Chosen { index, values }: &Chosen) -> Option<SlipSinkage> {

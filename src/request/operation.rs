@@ -28,8 +28,13 @@ pub(crate) fn needs(object: &Reader<'_>) -> Needs<'static> {
 /// The same of what the methods of a request need.
 pub(crate) fn beside_load(object: &Reader<'_>, needs: Needs<'static>) -> Needs<'static> {
     let is_open = !is_under_load(object);
-    let (pressure_sinkage, granular_stiffness) = (needs.pressure_sinkage && is_open, needs.granular_stiffness && is_open);
-    Needs { pressure_sinkage, granular_stiffness, ..needs }
+    Needs {
+        pressure_sinkage: needs.pressure_sinkage && is_open,
+        // The quadrature still needs the exponent of a law, so one is assumed where that is allowed.
+        perhaps_pressure_sinkage: needs.pressure_sinkage && !is_open,
+        granular_stiffness: needs.granular_stiffness && is_open,
+        ..needs
+    }
 }
 
 /// Reports that the soil lacks the pressure–sinkage law that the method needs; false where it did.

@@ -1,7 +1,11 @@
 //! The soil of a request.
 
-use terramechanics::{Contact, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, Soil, SoilParams};
-use terramechanics_reading::{Field, Lookup, Number, Object, Reader, Scope, Tagged};
+mod needs;
+
+pub(crate) use needs::{LawOrigin, Needs};
+
+use terramechanics::{Contact, Declared, Direct, JanosiHanamoto, PressureSinkage, ShearLaw, SinkageExponent, Soil, SoilParams};
+use terramechanics_reading::{Base, Field, Lookup, Number, Object, Reader, Scope, Tagged};
 
 use super::fitted_law;
 use super::laws::{self, own_field};
@@ -18,11 +22,17 @@ const PRESET: Field<Lookup<&'static SoilRecord>> = Field::new(
 pub(crate) const COHESION: Field<Number> = own_field(&Soil::COHESION);
 const FRICTION_ANGLE: Field<Number> = own_field(&Soil::FRICTION_ANGLE);
 const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
-const PRESSURE_SINKAGE: Field<&Tagged> =
-    Field::new("pressure_sinkage", "Pressure–sinkage law; replaces the preset's as a whole.", &laws::PRESSURE_SINKAGE);
+const PRESSURE_SINKAGE: Field<&Tagged> = Field::new(
+    "pressure_sinkage",
+    "Pressure–sinkage law. With `law` it replaces the preset's as a whole; without, its values replace those of the preset's law.",
+    &laws::PRESSURE_SINKAGE,
+);
 const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
-pub(crate) const SHEAR: Field<&Tagged> =
-    Field::new("shear", "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m.", &laws::SHEAR);
+pub(crate) const SHEAR: Field<&Tagged> = Field::new(
+    "shear",
+    "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m. Without `law` its values replace those of the preset's law.",
+    &laws::SHEAR,
+);
 /// The laws of a soil, which a variant of a comparison may have in place of its own.
 pub(crate) const VARIED_SHEAR: Field<&Tagged> = Field { meaning: "Shear law, for that of the soil.", ..SHEAR };
 pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
@@ -30,7 +40,7 @@ pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
 
 pub(crate) const SOIL: Object = Object {
     name: "Soil",
-    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in the closed forms under a load that is known beside the sinkage, in /v1/coupled and in the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's.",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in the closed forms under a load that is known beside the sinkage, in /v1/coupled and in the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's, and a field inside a law without `law` that of the preset's law.",
     groups: &[&[
         &PRESET,
         &COHESION,
@@ -52,64 +62,6 @@ impl Described for Soil {
     const SHAPE: Shape = Shape::Object(&SOIL);
 }
 
-/// What a request needs of a soil.
-#[derive(Clone, Copy)]
-pub(crate) struct Needs<'a> {
-    /// Whether the pressure–sinkage law has an influence; else it may be absent.
-    pub(crate) pressure_sinkage: bool,
-    /// Whether it may turn out to have one: it may be absent, and is assumed where that is allowed.
-    pub(crate) perhaps_pressure_sinkage: bool,
-    /// Whether the shear law has one.
-    pub(crate) shear: bool,
-    /// Whether cohesion and friction have one of their own.
-    pub(crate) strength: bool,
-    /// Whether the granular stiffness has one; then it has to be given or to follow.
-    pub(crate) granular_stiffness: bool,
-    /// The starts of the parameters that are fitted, by name: they may be absent.
-    pub(crate) fitted: &'a dyn Fn(&str) -> Option<f64>,
-}
-
-impl Needs<'static> {
-    /// All that the letter's model takes of a soil.
-    pub(crate) const ALL: Self = Self {
-        pressure_sinkage: true,
-        perhaps_pressure_sinkage: false,
-        shear: true,
-        strength: true,
-        granular_stiffness: false,
-        fitted: &|_| None,
-    };
-
-    /// What the resistive force method takes of it.
-    pub(crate) const GRAINS: Self =
-        Self { pressure_sinkage: false, shear: false, strength: false, granular_stiffness: true, ..Self::ALL };
-
-    /// What one or the other needs.
-    pub(crate) fn and(self, other: Self) -> Self {
-        Self {
-            pressure_sinkage: self.pressure_sinkage || other.pressure_sinkage,
-            perhaps_pressure_sinkage: self.perhaps_pressure_sinkage || other.perhaps_pressure_sinkage,
-            shear: self.shear || other.shear,
-            strength: self.strength || other.strength,
-            granular_stiffness: self.granular_stiffness || other.granular_stiffness,
-            ..self
-        }
-    }
-}
-
-/// Where the pressure–sinkage law comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum LawOrigin {
-    /// From the request.
-    Request,
-    /// From the catalogue.
-    Catalogue,
-    /// The preset's gave way to the direct one, whose modulus is fitted.
-    Replaced,
-    /// There is none, as it has no influence.
-    Absent,
-}
-
 /// A soil that was read.
 #[derive(Clone, Copy)]
 pub(crate) struct FoundSoil {
@@ -126,6 +78,8 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
     let or_none = |field: &Field<Number>| preset.optional(object, field).map(|value| value.unwrap_or(0.0));
     let weights = Weights::read(object, &preset);
+    let weights =
+        if needs.granular_stiffness { weights.map(|weights| weights.with_assumed_density(object, &preset)) } else { weights };
     let follows = needs.granular_stiffness && weights.as_ref().is_some_and(|weights| weights.granular_stiffness.is_none());
     let cohesion = if needs.strength { value(&COHESION) } else { or_none(&COHESION) };
     let friction_angle = if needs.strength || follows { value(&FRICTION_ANGLE) } else { or_none(&FRICTION_ANGLE) };
@@ -154,8 +108,20 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     if !preset.is_sound || !is_stiff {
         return None;
     }
-    let soil = weights.soil(params, law == LawOrigin::Catalogue).map_err(|invalid| object.place().fault(invalid)).ok()?;
-    let fitted_slip = preset.entry.filter(|_| law == LawOrigin::Catalogue).and_then(|record| record.largest_fitted_slip);
+    // Of a law that is overridden, what was sent holds as it is, and the rest is the catalogue's.
+    let overrides = |name: &'static str| {
+        let field: Field<Number> = Field::new(name, "", Number::any(""));
+        object.within(&PRESSURE_SINKAGE).is_some_and(|law| law.has(&field))
+    };
+    let is_published = |name: &'static str| match law {
+        LawOrigin::Catalogue => true,
+        LawOrigin::Overridden => !overrides(name),
+        LawOrigin::Request | LawOrigin::Replaced | LawOrigin::Absent => false,
+    };
+    let soil =
+        weights.soil(params, is_published(Soil::UNIT_WEIGHT.name)).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let fitted_slip =
+        preset.entry.filter(|_| is_published(SinkageExponent::SLIP_GAIN.name)).and_then(|record| record.largest_fitted_slip);
     let soil = fitted_slip.map_or(soil, |slip| soil.fitted_up_to(slip));
     Some(FoundSoil { soil, contact: preset.entry.and_then(SoilRecord::contact), law, entry: preset.entry })
 }
@@ -178,9 +144,13 @@ impl FoundSoil {
 
 /// The shear law, if there is one; the modulus is asked for only where the law needs it, else it is checked by its bounds alone.
 fn shear(object: &Reader<'_>, preset: &Preset<SoilRecord>, needs: Needs<'_>) -> Option<Option<ShearLaw>> {
-    let chosen = match object.optional(&SHEAR)? {
+    let published = preset.entry.and_then(SoilRecord::shear);
+    let value =
+        |name: &str| published.iter().flat_map(ShearLaw::parameters).find(|(of, _)| of.name == name).map(|(_, value)| value);
+    let base = preset.entry.map(|_| Base { form: published.map_or(JanosiHanamoto::NAME, |law| law.law().name), value: &value });
+    let chosen = match object.chosen(&SHEAR, base.as_ref(), &|_| None)? {
         Some(chosen) => laws::shear(&chosen)?,
-        None => preset.entry.and_then(SoilRecord::shear),
+        None => published,
     };
     if let Some(law) = chosen {
         return object.optional(&SHEAR_MODULUS).map(|_| Some(law));
@@ -203,8 +173,12 @@ fn pressure_sinkage(
     preset: &Preset<SoilRecord>,
     needs: Needs<'_>,
 ) -> Option<(Option<PressureSinkage>, LawOrigin)> {
-    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, needs.fitted)? {
-        return laws::pressure_sinkage(&chosen).map(|law| (Some(law), LawOrigin::Request));
+    let value = |name: &str| preset.entry.and_then(|record| record.number(name));
+    let base = preset.entry.and_then(|record| record.law.as_deref()).map(|form| Base { form, value: &value });
+    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, base.as_ref(), needs.fitted)? {
+        let is_whole = base.is_none() || object.names_form(&PRESSURE_SINKAGE);
+        let origin = if is_whole { LawOrigin::Request } else { LawOrigin::Overridden };
+        return laws::pressure_sinkage(&chosen).map(|law| (Some(law), origin));
     }
     let published = preset.entry.and_then(SoilRecord::pressure_sinkage);
     // A soil has one sinkage modulus: where it is fitted, that of another law has no place.

@@ -13,7 +13,7 @@ pub(crate) const WHEEL: Field<&Object> = Field::required("wheel", "The wheel.", 
 pub(crate) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &soil::SOIL);
 pub(crate) const CONTACT: Field<&Tagged> = Field::new(
     "contact",
-    "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0.",
+    "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0. Without `rule` its values replace those that the catalogue measured.",
     &contact::FORMS,
 );
 
@@ -85,7 +85,8 @@ pub(crate) fn read_contact(
     circles: Option<Circles>,
     needs: Needs<'_>,
 ) -> Option<Contact> {
-    let Some(params) = contact::read(object, &CONTACT, needs)? else {
+    let measured = soil.and_then(|soil| soil.contact.as_ref());
+    let Some(params) = contact::read(object, &CONTACT, measured, needs)? else {
         return Some(soil.and_then(|soil| soil.contact).unwrap_or(Contact::MIDPOINT).with_circles(circles?));
     };
     contact::checked(object, &CONTACT, ContactParams { circles: circles?, ..params })

@@ -40,6 +40,13 @@ impl Weights {
         })
     }
 
+    /// The same with a density that may be assumed, where the granular stiffness needs one and none was published.
+    pub(super) fn with_assumed_density(self, object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Self {
+        let needed = self.bulk_density.is_none() && self.granular_stiffness.is_none();
+        let assumed = if needed { preset.assumed(object, &BULK_DENSITY) } else { None };
+        Self { bulk_density: self.bulk_density.or(assumed), ..self }
+    }
+
     /// The soil of `params` with these weights. What the catalogue has of it is taken to the gravity that was sent; what was sent
     /// holds there already.
     pub(super) fn soil(&self, params: SoilParams, has_published_law: bool) -> Result<Soil, InvalidInput> {

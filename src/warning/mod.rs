@@ -11,6 +11,7 @@ mod pieces;
 mod place;
 mod plausible;
 mod table;
+mod tally;
 mod wire;
 mod words;
 
@@ -20,6 +21,7 @@ pub(crate) use pieces::{BeyondRange, gap_in_words};
 pub(crate) use place::Rows;
 pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};
+pub(crate) use tally::Tally;
 pub(crate) use words::Reason;
 
 use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};

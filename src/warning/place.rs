@@ -16,14 +16,27 @@ pub(crate) struct Rows {
 impl Rows {
     /// These rows, ascending.
     pub(crate) fn of(rows: &[usize]) -> Self {
-        let mut ranges: Vec<[u64; 2]> = Vec::new();
-        for row in rows.iter().map(|&row| row as u64) {
-            match ranges.last_mut() {
-                Some([_, last]) if *last + 1 == row => *last = row,
-                _ => ranges.push([row, row]),
-            }
+        let mut found = Self::none();
+        rows.iter().for_each(|&row| found.push(row as u64));
+        found
+    }
+
+    /// No rows so far.
+    pub(crate) fn none() -> Self {
+        Self { ranges: Vec::new(), count: 0, all_named: true }
+    }
+
+    /// Adds a row behind the others; the last one again is no other.
+    pub(crate) fn push(&mut self, row: u64) {
+        let is_full = self.ranges.len() > MOST_RANGES;
+        match self.ranges.last_mut() {
+            Some([_, last]) if *last == row => return,
+            Some([_, last]) if *last + 1 == row => *last = row,
+            _ if !is_full => self.ranges.push([row, row]),
+            _ => {}
         }
-        Self { count: rows.len() as u64, all_named: ranges.len() <= MOST_RANGES, ranges }
+        self.count += 1;
+        self.all_named = self.ranges.len() <= MOST_RANGES;
     }
 
     /// A number of rows of which only the first is known.
@@ -76,6 +89,9 @@ mod tests {
         let rows = Rows::of(&(0..100).map(|i| 2 * i).collect::<Vec<_>>());
         assert!(rows.in_words().starts_with("at 100 rows: 0, 2") && rows.in_words().ends_with("38 and more"));
         assert_eq!((rows.ranges().count(), rows.count()), (20, 100));
+        let mut rows = Rows::none();
+        [0, 2, 2, 3].into_iter().for_each(|row| rows.push(row));
+        assert_eq!((rows.in_words().as_str(), rows.count()), ("at rows 0 and 2 to 3", 3));
         assert_eq!(Rows::counted(7, 3).in_words(), "at 7 rows, the first of them 3");
         assert_eq!(Rows::counted(1, 3).in_words(), "at row 3");
     }

@@ -56,7 +56,7 @@ macro_rules! findings {
             }
 
             /// The field of the request to look at.
-            pub(super) fn pointer(&self) -> Option<&'static str> {
+            pub(super) fn pointer(&self) -> Option<&str> {
                 match self { $(Self::$name { $($data),* } => None$(.or(Some($pointer)))?,)+ }
             }
 
@@ -121,6 +121,12 @@ findings! { many;
         format!("never published and assumed: {}.", listed(&values))
     },
     advises "Look under `assumed` where each value comes from, and send your own where it is known.";
+
+    "invalid_row" InvalidRow { pointer: String, detail: String }
+    means "The values of some rows make no request that could be computed: which rows, and what is wrong with the first."
+    field pointer.as_str(),
+    says format!("the values make no request{}: `{pointer}` {detail}.", if many { ". That of the first" } else { "" }),
+    advises "Leave these values out.";
 
     "no_solution" NoSolution { reason: Reason, pointer: &'static str }
     means "Points of a sweep or samples of a track have no solution: which, and why the first has none."

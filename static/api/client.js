@@ -71,6 +71,19 @@ export async function answer(path, { request = {}, read, signal, patienceMs = PA
 }
 
 /**
+ * A module of the page that is loaded when it is needed.
+ * @template Module
+ * @param {() => Promise<Module>} load
+ */
+export async function needed(load) {
+  try {
+    return await load();
+  } catch {
+    throw new Unavailable("A part of the page could not be loaded.");
+  }
+}
+
+/**
  * The message of whatever was thrown.
  * @param {unknown} error
  */

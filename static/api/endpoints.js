@@ -2,7 +2,7 @@
 
 import { answer } from "./client.js";
 
-/** @import { Catalogue, Comparison, CompareRequest, Forces, ForcesRequest, Identification, IdentifyRequest, Model, SlipSweep, SlipSweepRequest, StressProfile, StressProfileRequest, Track, TrackColumns, TrackRequest, ValidationSet } from "./types.js" */
+/** @import { Catalogue, Comparison, CompareRequest, Forces, ForcesRequest, Identification, IdentifyRequest, Model, SlipSweep, SlipSweepRequest, StressProfile, StressProfileRequest, Track, TrackColumns, TrackRequest, ValidationSet, VehicleOnSlope, VehicleOverSlopes, VehicleRequest } from "./types.js" */
 
 /** A search may use up the time that the service allows a computation. */
 const SEARCH_PATIENCE_MS = 60_000;
@@ -13,6 +13,7 @@ const SEARCH_PATIENCE_MS = 60_000;
  *   "/v1/forces": { body: ForcesRequest, answer: Forces },
  *   "/v1/stress-profile": { body: StressProfileRequest, answer: StressProfile },
  *   "/v1/slip-sweep": { body: SlipSweepRequest, answer: SlipSweep },
+ *   "/v1/vehicle": { body: VehicleRequest, answer: VehicleOnSlope | VehicleOverSlopes },
  *   "/v1/compare": { body: CompareRequest, answer: Comparison },
  * }} Drawn
  */

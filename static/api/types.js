@@ -25,6 +25,7 @@
 /** @typedef {Schemas["CatalogueWheel"]} CatalogueWheel */
 /** @typedef {Schemas["CatalogueSoil"]} CatalogueSoil */
 /** @typedef {Schemas["CatalogueValue"]} CatalogueValue */
+/** @typedef {Schemas["CatalogueSubstitute"]} CatalogueSubstitute */
 /** @typedef {Schemas["CatalogueLaw"]} CatalogueLaw */
 /** @typedef {{ wheels: Map<string, CatalogueWheel>, soils: Map<string, CatalogueSoil> }} Catalogue */
 /** @typedef {Schemas["Identification"]} Identification */
@@ -36,6 +37,9 @@
 /** @typedef {Schemas["TrackRequest"]} TrackRequest */
 /** @typedef {Schemas["TrackColumns"]} TrackColumns */
 /** @typedef {Schemas["TrackEvent"]} TrackEvent */
+/** @typedef {Schemas["VehicleRequest"]} VehicleRequest */
+/** @typedef {Schemas["VehicleOnSlope"]} VehicleOnSlope */
+/** @typedef {Schemas["VehicleOverSlopes"]} VehicleOverSlopes */
 /** @typedef {Schemas["Model"]} Model */
 /** @typedef {Schemas["Equation"]} Equation */
 /** @typedef {Schemas["ParameterNote"]} ParameterNote */

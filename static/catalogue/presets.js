@@ -32,7 +32,8 @@ const unitSuffix = (name) => Object.keys(UNITS).find((suffix) => name.endsWith(s
  */
 function valueName(name) {
   if (name === "pressure_sinkage") return "Pressure–sinkage moduli";
-  const field = FIELDS.find(({ pointer }) => pointer.endsWith(`/${name}`));
+  // The interface of rim and soil has names of the soil, but the catalogue has no value for it.
+  const field = FIELDS.find(({ pointer, group }) => group !== "interface" && pointer.endsWith(`/${name}`));
   return field ? field.label : capitalised(name.slice(0, name.length - unitSuffix(name).length).replaceAll("_", " "));
 }
 

@@ -30,7 +30,7 @@ const legendItem = (key, name, reading) => html("li", { "data-curve": key },
  * @param {boolean} isResting
  */
 export function legendItems(spec, index, isResting) {
-  const { x, curves, dots = [], measured } = spec;
+  const { x, curves, dots = [], measured, basis = [] } = spec;
   const at = isResting ? spec.rest : x.values[index];
   /** @param {Curve} curve */
   const valueOf = (curve) => (isResting && dots.length ? dots.find(({ key }) => key === curve.key)?.value : curve.values[index]);
@@ -38,6 +38,7 @@ export function legendItems(spec, index, isResting) {
     html("li", { class: "position" }, x.name, " ", at === null ? "" : x.format(at)),
     ...curves.map((curve) => legendItem(curve.key, curve.name, at === null ? "" : valueText(spec, valueOf(curve)))),
     ...(measured && measured.isListed !== false ? [legendItem(measured.key, measured.name, measured.reading)] : []),
+    ...basis.map((text) => html("li", { class: "basis" }, text)),
   ];
 }
 

@@ -48,6 +48,7 @@
  * @property {Dot[]} [dots]
  * @property {Points | null} [measured]
  * @property {Band[]} [bands]
+ * @property {string[]} [basis] what the curves rest on, for the legend
  * @property {number | null} rest the x that the legend reads while there is no cursor
  */
 

@@ -5,9 +5,10 @@ import { html } from "../dom/elements.js";
 import { enclosing, find, findAll } from "../dom/find.js";
 import { capitalised } from "../numbers/format.js";
 import { FIELDS } from "../quantities/fields.js";
-import { CONTACT, PRESSURE_SINKAGE, SHEAR, groupsOf, lawsOf } from "../quantities/law-fields.js";
+import { CONTACT, EXIT, PRESSURE_SINKAGE, SHEAR, groupsOf, lawsOf } from "../quantities/law-fields.js";
 import { DEFAULTS } from "../state/choices.js";
-import { activeGroups } from "../state/preset.js";
+import { activeGroups, slipAngleNote } from "../state/preset.js";
+import { LISTED_POINTERS, fillChoices } from "./choice-list.js";
 import { choicePlace, showFaultsAt } from "./faults.js";
 import { createFieldRow } from "./field-row.js";
 
@@ -29,17 +30,16 @@ const SECTIONS = {
   wheel: { fields: ["wheel"], choices: [] },
   strength: { fields: ["strength", "grains", ...groupsOf(SHEAR)], choices: ["shear"] },
   pressure: { fields: groupsOf(PRESSURE_SINKAGE), choices: ["law"] },
-  options: { fields: [...groupsOf(CONTACT), "explicit"], choices: ["rule", "normal_stress_radius", "peak_sinkage"] },
+  options: { fields: [...groupsOf(CONTACT), ...groupsOf(EXIT), "interface", "explicit"], choices: ["rule", "exit", "normal_stress_radius", "slip_radius", "shear_displacement_radius", "peak_sinkage"] },
 };
 const PRESET_GROUPS = Object.values(SECTIONS).flatMap(({ fields }) => fields);
 
 /** The choices with a list, and the pointers of their faults. */
 const CHOICE_POINTERS = {
   wheel: "/wheel", soil: "/soil", method: "/method", law: "/soil/pressure_sinkage", shear: "/soil/shear",
-  rule: "/contact", slip_sinkage: "/slip_sinkage", braking_law: "/braking",
-  normal_stress_radius: "/normal_stress_radius", peak_sinkage: "/peak_sinkage",
+  rule: "/contact", ...LISTED_POINTERS,
 };
-const TICKS = ["compare", "braking"];
+const TICKS = ["compare", "braking", "load_known", "assume", "rover", "rut"];
 const PRESETS = ["wheel", "soil"];
 
 /** @param {string} text */
@@ -93,12 +93,13 @@ function createSections(form, onChange) {
     return { count, reset, keys };
   });
 
-  /** @param {State} state @param {Set<string>} groups that matter now */
-  return (state, groups) => {
+  /** @param {State} state @param {Context} context @param {Set<string>} groups that matter now */
+  return (state, context, groups) => {
     const inactive = FIELDS.filter(({ group }) => !groups.has(group)).map(({ key }) => key);
     for (const { count, reset, keys } of sections) {
       const changes = keys.filter((key) => state[key] !== DEFAULTS[key] && !inactive.includes(key)).length;
-      count.textContent = changes ? `${changes} changed` : "";
+      const assumed = FIELDS.filter((field) => keys.includes(field.key) && groups.has(field.group) && state[field.key] === null && field.substitute?.(context.assumed)).length;
+      count.textContent = [changes && `${changes} changed`, assumed && `${assumed} assumed`].filter(Boolean).join(", ");
       reset.hidden = changes === 0;
     }
   };
@@ -109,6 +110,7 @@ function createSections(form, onChange) {
  * @param {OnChange} onChange
  */
 export function createControls(form, onChange) {
+  fillChoices(form);
   addLaws(form);
   const selects = Object.keys(CHOICE_POINTERS).map((key) => ({ key, select: find(form, `select[name="${key}"]`, HTMLSelectElement) }));
   const ticks = TICKS.map((key) => ({ key, box: find(form, `input[name="${key}"]`, HTMLInputElement) }));
@@ -117,11 +119,15 @@ export function createControls(form, onChange) {
   let followed = {};
   let isFilled = false;
 
+  const axles = find(form, "#axles", HTMLInputElement);
+  axles.addEventListener("input", () => onChange({ axles: axles.value }, { discrete: false }));
+
   const rows = FIELDS.map((field) => {
     const row = createFieldRow(field, {
       followsPreset: PRESET_GROUPS.includes(field.group),
       onText: (text) => onChange({ [field.key]: text }, { discrete: false }),
       onReset: () => onChange({ [field.key]: null }, { discrete: true }),
+      onAssume: () => onChange({ assume: "1" }, { discrete: true }),
     });
     find(form, `[data-fields="${field.group}"]`).append(row.element);
     return row;
@@ -129,6 +135,7 @@ export function createControls(form, onChange) {
   const showSections = createSections(form, onChange);
   const places = [
     ...rows.map(({ field, input, fault }) => ({ pointer: field.pointer, field, input, fault })),
+    { pointer: "/stations", input: axles, fault: find(form, "#axles-fault") },
     ...Object.entries(CHOICE_POINTERS).map(([key, pointer]) => choicePlace(find(form, `select[name="${key}"]`, HTMLSelectElement), pointer)),
   ];
 
@@ -154,6 +161,7 @@ export function createControls(form, onChange) {
      */
     offers(key, value) {
       if (PRESETS.includes(key) && !isFilled) return true;
+      if (key === "axles") return true;
       if (TICKS.includes(key)) return value === "" || value === "1";
       const input = form.elements.namedItem(key);
       const offered = input instanceof HTMLSelectElement ? [...input.options] : radios;
@@ -171,11 +179,15 @@ export function createControls(form, onChange) {
         if (key in followed) enclosing(select, ".choice").classList.toggle("changed", state[key] !== null);
       }
       for (const { key, box } of ticks) box.checked = state[key] !== "";
+      enclosing(find(form, "#assume"), ".assume").hidden = context.offered.size === 0 && state.assume === "";
+      if (axles.value !== state.axles) axles.value = state.axles ?? "";
+      find(form, "#rover-group").hidden = state.rover === "";
       for (const radio of radios) radio.checked = radio.value === state.by;
       const groups = activeGroups(state, context);
       for (const container of findAll(form, "[data-fields]")) container.hidden = !groups.has(container.dataset.fields ?? "");
       for (const row of rows) row.show(state, context);
-      showSections(state, groups);
+      rows.find(({ field }) => field.name === "slip_angle")?.tell(slipAngleNote(state));
+      showSections(state, context, groups);
       showGrade(find(form, "#wheel-grade"), context.wheel, "wheel-origin");
       showGrade(find(form, "#soil-grade"), context.soil, "soil-origin");
     },

@@ -16,6 +16,7 @@ import { inPercent, slipAxis } from "./slip-axis.js";
  * @property {SweepSeries[]} series
  * @property {{ method: Method, forces: Forces | null }[]} byMethod the forces at the chosen slip, which need not be one of the sweep's
  * @property {number} slip
+ * @property {string[]} basis what the curves rest on
  * @property {Method} method the chosen one
  */
 
@@ -63,7 +64,7 @@ function resultOf(name, { components, ...forces }) {
  * @param {FitData | null} measured
  * @returns {ChartSpec}
  */
-export function sweepSpec(name, { series, byMethod, slip, method: chosen }, measured = null) {
+export function sweepSpec(name, { series, byMethod, slip, method: chosen, basis }, measured = null) {
   const { name: title, unit, factor } = QUANTITIES[name];
   const slips = inPercent(series[0].columns.slip);
   const [first, last] = [slips[0], slips[slips.length - 1]];
@@ -79,6 +80,7 @@ export function sweepSpec(name, { series, byMethod, slip, method: chosen }, meas
     curves: series.map(({ method, columns }) => ({ key: method, name: methodName(method), values: scaled(columnOf(columns, name), factor) })),
     marks: [{ key: "slip", at, label: `s ${percent(at)}` }],
     dots,
+    basis,
     measured: measuredPoints(name, measured, (series.find(({ method }) => method === chosen) ?? series[0]).columns),
     rest: at >= first && at <= last ? at : null,
   };

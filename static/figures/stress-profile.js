@@ -18,9 +18,10 @@ const STRESS_CURVES = [
 
 /**
  * @param {StressProfile} profile
+ * @param {string[]} basis what the stresses rest on
  * @returns {ChartSpec}
  */
-export function profileSpec({ angles, columns }) {
+export function profileSpec({ angles, columns }, basis) {
   const [exit, maximum, entry] = [angles.exit_rad, angles.maximum_stress_rad, angles.entry_rad].map(degrees);
   const marks = [
     { key: "exit", at: exit, symbol: "θ_2" },
@@ -42,6 +43,7 @@ export function profileSpec({ angles, columns }) {
     y: { unit: "kPa", format: (value) => withUnit(significant(value), "kPa") },
     curves: present.map(({ key, name, column }) => ({ key, name, values: scaled(columns[column], PASCAL_TO_KILOPASCAL) })),
     marks: marks.map(({ key, at, symbol }) => ({ key, at, label: `${symbol} ${fixed(at, 1)}°` })),
+    basis,
     rest: maximum,
   };
 }

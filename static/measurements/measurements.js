@@ -9,7 +9,6 @@ import { TableFault, parseTable } from "../table/parse.js";
 import { samplesOf } from "../table/samples.js";
 import { connectTelemetry } from "../telemetry/telemetry.js";
 import { distanceTable } from "./distance-table.js";
-import { connectChoice, connectDrop } from "./drop-zone.js";
 import { useOf } from "./use.js";
 
 /** @import { SweepSeries } from "../figures/over-slip.js" */
@@ -21,10 +20,14 @@ import { useOf } from "./use.js";
 
 /** A table that was read, with what its columns are and what that gives. @typedef {{ table: Table, mapping: Mapping, samples: Samples }} Read */
 
+/** @typedef {ReturnType<typeof createMeasurements>} Measurements */
+
 /**
  * @typedef {object} MeasurementEvents
  * @property {() => Settings} settings what is on the page
  * @property {() => void} onData called when the points over slip are others
+ * @property {() => void} onLoadKnown gives the static sinkage and the load on the page
+ * @property {(circle: string) => void} onCircle sets the circle on which a slip is counted
  * @property {(found: Found) => void} onSoil takes a soil that was found
  */
 
@@ -51,7 +54,7 @@ function tellFaults(faults) {
  * @param {HTMLElement} section
  * @param {MeasurementEvents} events
  */
-export function connectMeasurements(section, { settings, onData, onSoil }) {
+export function createMeasurements(section, { settings, onData, onSoil, onLoadKnown, onCircle }) {
   const input = find(section, "#measurements-file", HTMLInputElement);
   const preview = byId("measurements-preview");
   const remove = byId("measurements-clear");
@@ -71,6 +74,7 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
   const identification = connectIdentification(byId("identification"), { settings, points, onSoil });
   const telemetry = connectTelemetry(byId("telemetry"), {
     settings,
+    onLoadKnown,
     track() {
       const track = usable()?.track;
       return read && track ? { track, columns: read.samples.columns, lines: read.table.lines } : null;
@@ -81,6 +85,17 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
       showPoints(read);
     },
   });
+
+  const circle = find(section, "#measured-slip-radius", HTMLSelectElement);
+  circle.append(...[...find(document, "#slip-radius", HTMLSelectElement).options].map((option) => option.cloneNode(true)));
+  circle.addEventListener("change", () => onCircle(circle.value));
+
+  /** Lugs have three circles, and a slip says nothing until it is known on which of them it was counted. */
+  function tellCircle() {
+    const { drawing: { lugHeight }, circles } = settings();
+    byId("measured-circle").hidden = !read || !(lugHeight > 0);
+    circle.value = circles.slip_radius ?? "rim";
+  }
 
   /** @param {SweepSeries[]} shown the curves that are drawn */
   function compare(shown) {
@@ -116,6 +131,7 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
     read = { table, mapping, samples: samplesOf(table, mapping) };
     section.dataset.state = usable() ? "ready" : "refused";
     tellFaults(read.samples.faults);
+    tellCircle();
     markWrong(preview, table, mapping);
     telemetry.show(Boolean(usable()?.track));
     showPoints(read);
@@ -125,6 +141,7 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
     latest += 1;
     read = null;
     section.dataset.state = "empty";
+    tellCircle();
     for (const element of [preview, distances, remove]) element.hidden = true;
     status.textContent = "";
     tellFaults([]);
@@ -171,16 +188,20 @@ export function connectMeasurements(section, { settings, onData, onSoil }) {
     if (mine === latest) show(table);
   }
 
-  connectChoice(input, load);
-  connectDrop(byId("measurements-drop"), (file) => {
-    section.scrollIntoView({ block: "nearest" });
-    load(file);
-  });
   remove.addEventListener("click", () => {
     input.value = "";
     clear();
     input.focus();
   });
 
-  return { data, compare };
+  return {
+    load,
+    data,
+    compare,
+    /** Tells what holds of the table under the inputs as they are now. */
+    tell() {
+      tellCircle();
+      telemetry.tell();
+    },
+  };
 }

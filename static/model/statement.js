@@ -2,7 +2,6 @@
 
 import { model } from "../api/model.js";
 import { html } from "../dom/elements.js";
-import { find } from "../dom/find.js";
 import { columnHeads, rowHead, table } from "../dom/tables.js";
 import { maths } from "./formula.js";
 
@@ -69,39 +68,13 @@ const sections = (stated) => [
   ["references", "References", list(stated.references)],
 ];
 
-/**
- * The dialog opens from its link and from an address that ends in #model. It is filled once.
- * @param {HTMLDialogElement} dialog
- * @param {HTMLElement} link
- */
-export function connectModel(dialog, link) {
-  const body = find(dialog, "[data-model]");
-  let isFilled = false;
-
-  function fill() {
-    const stated = model();
-    const parts = sections(stated);
-    body.replaceChildren(
-      html("p", { class: "note" }, stated.source),
-      html("nav", { "aria-label": "Parts of the model" }, ...parts.map(([id, title]) => html("a", { href: `#model-${id}` }, title))),
-      ...parts.map(([id, title, content]) => html("section", { id: `model-${id}`, tabindex: "-1" }, html("h3", {}, title), content)));
-    isFilled = true;
-  }
-
-  function open() {
-    if (!dialog.open) dialog.showModal();
-    if (!isFilled) fill();
-  }
-
-  link.addEventListener("click", (event) => {
-    event.preventDefault();
-    event.stopPropagation();
-    open();
-  });
-  find(dialog, "[data-close]").addEventListener("click", () => dialog.close());
-  // A click on the backdrop comes as one on the dialog itself.
-  dialog.addEventListener("click", (event) => {
-    if (event.target === dialog) dialog.close();
-  });
-  if (location.hash === "#model") open();
+/** What the dialog has. */
+export function statement() {
+  const stated = model();
+  const parts = sections(stated);
+  return [
+    html("p", { class: "note" }, stated.source),
+    html("nav", { "aria-label": "Parts of the model" }, ...parts.map(([id, title]) => html("a", { href: `#model-${id}` }, title))),
+    ...parts.map(([id, title, content]) => html("section", { id: `model-${id}`, tabindex: "-1" }, html("h3", {}, title), content)),
+  ];
 }

@@ -4,7 +4,7 @@ import { model } from "../api/model.js";
 import { pageUnit } from "./units.js";
 
 /** @import { ParameterNote } from "../api/types.js" */
-/** @import { Field, Preset, SliderRange } from "./fields.js" */
+/** @import { Field, Preset, SliderRange, Substitutes } from "./fields.js" */
 
 /**
  * What the page adds to a parameter.
@@ -43,6 +43,11 @@ function sliderOf({ unit, minimum, maximum, exclusive_maximum: limit }, [min, ma
 export function asField(note, group, { key, name, slider, start, blank }, known) {
   const { pointer, symbol, unit, meaning, minimum, required, default: usual } = note;
   const range = slider && sliderOf(note, slider);
+  /** Moduli of another law have the same place but other units. @param {Substitutes} substitutes */
+  const substitute = (substitutes) => {
+    const found = substitutes.get(pointer);
+    return found?.unit === unit ? found : undefined;
+  };
   return {
     group,
     key,
@@ -51,7 +56,8 @@ export function asField(note, group, { key, name, slider, start, blank }, known)
     label: labelOf(meaning),
     symbol: symbolOf(symbol),
     unit: pageUnit(unit),
-    base: (preset) => known(preset) ?? usual ?? start,
+    substitute,
+    base: (preset) => known(preset) ?? substitute(preset.assumed)?.value ?? usual ?? start,
     signed: minimum < 0,
     ...(range && { slider: () => range }),
     ...(!required && usual === undefined && { blank: blank ?? "not given" }),

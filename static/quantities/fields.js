@@ -3,13 +3,16 @@
 import { roundStep, roundedUp } from "../numbers/steps.js";
 import { asField, noteAt } from "./declared.js";
 import { LAW_FIELDS } from "./law-fields.js";
+import { ROVER_FIELDS } from "./rover-fields.js";
 import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
 
-/** @import { CatalogueLaw, CatalogueSoil, CatalogueWheel } from "../api/types.js" */
+/** @import { CatalogueLaw, CatalogueSoil, CatalogueSubstitute, CatalogueWheel } from "../api/types.js" */
 /** @import { Dress } from "./declared.js" */
 /** @import { Unit } from "./units.js" */
 
 /** @typedef {{ min: number, max: number, step: number }} SliderRange */
+
+/** @typedef {ReadonlyMap<string, CatalogueSubstitute>} Substitutes for values that were never published, by their pointers */
 
 /**
  * What untouched fields follow: the chosen entries of the catalogue, and their laws as far as the laws on the page can use them.
@@ -20,6 +23,7 @@ import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
  * @property {CatalogueLaw} contact
  * @property {CatalogueLaw} shear
  * @property {boolean} braking
+ * @property {Substitutes} assumed those in force
  * @property {number | null} [radius] as set on the page
  */
 
@@ -34,6 +38,7 @@ import { DEGREE, MILLIMETRE, NEWTON, ONE, PERCENT } from "./units.js";
  * @property {Unit} unit
  * @property {(preset: Preset) => number | null | undefined} base the value while untouched (SI); none where the catalogue has none
  * @property {(preset: Preset) => SliderRange} [slider] in the unit of the page
+ * @property {(substitutes: Substitutes) => CatalogueSubstitute | undefined} [substitute] the one among them that is its own
  * @property {boolean} [signed] takes negative numbers
  * @property {string} [blank] what an empty box means, where it is no gap
  * @property {"exact"} [word] taken in place of a number
@@ -76,6 +81,13 @@ const ofWheel = (name, dress) => asField(noteAt(`/wheel/${name}`), "wheel", dres
 const ofSoil = (name, dress, group = "strength") => asField(noteAt(`/soil/${name}`), group, dress,
   ({ soil }) => /** @type {number | undefined} */ (soil?.soil[name]));
 
+/**
+ * Between a bare rim and the soil. The catalogue has none.
+ * @param {string} name
+ * @param {Dress & { key: string, name: string }} dress
+ */
+const ofInterface = (name, dress) => asField(noteAt(`/contact/interface/${name}`), "interface", dress, () => undefined);
+
 /** @type {Field[]} */
 const OPERATION = [
   { group: "slip", key: "slip_pct", name: "slip", pointer: "/slip", label: "Slip", symbol: "s", unit: PERCENT, signed: true,
@@ -100,6 +112,9 @@ const PARAMETERS = [
   ofWheel("width_m", { key: "width_mm", name: "width", slider: [10, 500, 1] }),
   ofWheel("lug_height_m", { key: "lug_mm", name: "lug_height", slider: [0, 50, 0.5] }),
   ofWheel("lug_coefficient", { key: "lug_coef", name: "lug_coefficient", slider: [0, 1, 0.05] }),
+  ofInterface("friction_angle_rad", { key: "delta_deg", name: "interface_friction", blank: "the soil’s" }),
+  ofInterface("adhesion_pa", { key: "adhesion_kpa", name: "interface_adhesion", blank: "the soil’s" }),
+  ofInterface("shear_modulus_m", { key: "ki_mm", name: "interface_modulus", blank: "the soil’s" }),
   ofSoil("cohesion_pa", { key: "c_kpa", name: "cohesion", slider: [0, 10, 0.05] }),
   ofSoil("friction_angle_rad", { key: "phi_deg", name: "friction_angle", slider: [0, 60, 0.5] }),
   ofSoil("bulk_density_kg_m3", { key: "rho_kg_m3", name: "bulk_density", slider: [800, 2200, 5] }, "grains"),
@@ -117,7 +132,7 @@ const EXPLICIT = [
     base: () => 0 },
 ];
 
-export const FIELDS = [...OPERATION, ...PARAMETERS, ...LAW_FIELDS, ...EXPLICIT];
+export const FIELDS = [...OPERATION, ...PARAMETERS, ...LAW_FIELDS, ...EXPLICIT, ...ROVER_FIELDS];
 
 /** @param {string} name */
 export function fieldNamed(name) {

@@ -13,6 +13,7 @@ import { asField } from "./declared.js";
 export const PRESSURE_SINKAGE = "/soil/pressure_sinkage";
 export const SHEAR = "/soil/shear";
 export const CONTACT = "/contact";
+export const EXIT = "/contact/exit";
 export const SLIP_SINKAGE = "/slip_sinkage";
 
 /**
@@ -46,7 +47,8 @@ const DRESSES = {
   "/soil/pressure_sinkage.n2": { key: "n2", name: "n2", blank: "as n₁" },
   "wong_reece.c1": { key: "c1", name: "c1", start: 0.4, slider: [0, 1, 0.01] },
   "wong_reece.c2": { key: "c2", name: "c2", start: 0.1, slider: [-0.5, 0.5, 0.01] },
-  "/contact.c3": { key: "c3", name: "c3", slider: [-1, 0, 0.01] },
+  "/contact.c3": { key: "c3", name: "c3", slider: [-1.2, 0, 0.01] },
+  "sinkage_ratio.ratio": { key: "exit_ratio", name: "exit_ratio", start: 1, slider: [0, 1.2, 0.01] },
   "linear.gain": { key: "ss_gain", name: "slip_sinkage_gain", start: 1, slider: [0, 5, 0.05] },
 };
 
@@ -89,7 +91,7 @@ function fieldsOf(family, laws) {
 }
 
 /** The families that the page has a place for. */
-const SHOWN = [PRESSURE_SINKAGE, SHEAR, CONTACT, SLIP_SINKAGE];
+const SHOWN = [PRESSURE_SINKAGE, SHEAR, CONTACT, EXIT, SLIP_SINKAGE];
 
 export const FAMILIES = model().laws.filter(({ pointer }) => SHOWN.includes(pointer));
 
@@ -124,3 +126,10 @@ export const groupsOfLaw = (family, law) => LAW_FIELDS.filter((field) => field.f
  */
 export const sharedNames = (family) =>
   LAW_FIELDS.filter((field) => field.family === family && field.laws.length === lawsOf(family).length).map(({ api }) => api);
+
+/**
+ * The groups of the parameters that every law of a family has.
+ * @param {string} family
+ */
+export const sharedGroups = (family) =>
+  [...new Set(LAW_FIELDS.filter((field) => field.family === family && field.laws.length === lawsOf(family).length).map(({ group }) => group))];

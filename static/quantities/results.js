@@ -31,6 +31,14 @@ export const QUANTITIES = {
   sinkage_modulus: { name: "Sinkage modulus", unit: "kPa/mᴺ", factor: 1e-3 },
   granular_stiffness_n_m3: { name: "Granular stiffness", unit: "kN/m³", factor: 1e-3 },
   sinkage_exponent: { name: "Sinkage exponent", unit: "", factor: 1 },
+  normal_load_n: { name: "Load", unit: "N", factor: 1 },
+  rut_depth_m: { name: "Rut depth", unit: "mm", factor: 1e3 },
+  x_m: { name: "Place", unit: "mm", factor: 1e3 },
+  needed_pull_n: { name: "Pull needed", unit: "N", factor: 1 },
+  energy_per_metre_j_m: { name: "Energy per metre", unit: "J/m", factor: 1 },
+  power_w: { name: "Power", unit: "W", factor: 1 },
+  largest_slope_rad: { name: "Largest slope", unit: "°", factor: 180 / Math.PI },
+  gravity_m_s2: { name: "Gravity", unit: "m/s²", factor: 1 },
   shearing_radius_m: { name: "Shearing radius", unit: "mm", factor: 1e3 },
 };
 

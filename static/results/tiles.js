@@ -3,9 +3,11 @@
 import { titleWithSymbol } from "../charts/figure.js";
 import { html } from "../dom/elements.js";
 import { enclosing, findAll } from "../dom/find.js";
+import { sentenceHtml } from "../dom/text.js";
 import { QUANTITIES, quantity } from "../quantities/results.js";
 
 /** @import { Forces } from "../api/types.js" */
+/** @import { Basis } from "../wording/basis.js" */
 
 /** @type {("longitudinal_force_n" | "normal_force_n" | "torque_n_m" | "sinkage_m")[]} */
 export const MAIN_RESULTS = ["longitudinal_force_n", "normal_force_n", "torque_n_m", "sinkage_m"];
@@ -23,6 +25,7 @@ const PARTS = [
   { name: "overturning_moment_n_m", isOptional: true },
   { name: "aligning_moment_n_m", isOptional: true },
   { name: "sinkage_modulus", symbol: "K_s" },
+  { name: "granular_stiffness_n_m3", symbol: "ξ", isOptional: true },
   { name: "sinkage_exponent", symbol: "N" },
   { name: "shearing_radius_m", symbol: "r_s" },
 ];
@@ -49,8 +52,17 @@ export function showTiles(root, forces) {
     tile.textContent = quantity(name, value);
     tile.dataset.value = String(value ?? "");
     tile.title = value === null ? "Not defined at this operating point" : "";
-    if (tile.closest("[data-optional]")) enclosing(tile, "[data-optional]").hidden = value === undefined;
+    if (tile.closest("[data-optional]")) enclosing(tile, "[data-optional]").hidden = value === undefined || (value === null && name === "granular_stiffness_n_m3");
   }
+}
+
+/**
+ * @param {HTMLElement} list
+ * @param {Basis[]} basis
+ */
+export function showBasis(list, basis) {
+  list.replaceChildren(...basis.map(({ key, text }) => html("li", { "data-basis": key }, ...sentenceHtml(text))));
+  list.hidden = basis.length === 0;
 }
 
 /** @param {HTMLElement} element */

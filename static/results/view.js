@@ -11,8 +11,9 @@ import { QUANTITIES } from "../quantities/results.js";
 import { warningsOf } from "../rounds/warnings.js";
 import { createScene } from "../scene/scene.js";
 import { connectCopy, connectCsv } from "../share/share.js";
+import { basisOf } from "../wording/basis.js";
 import { showComparison, showGaps } from "./comparison.js";
-import { createAnnouncer, fillParts, showTiles } from "./tiles.js";
+import { createAnnouncer, fillParts, showBasis, showTiles } from "./tiles.js";
 import { showWarnings, showWarningsLink } from "./warnings.js";
 
 /** @import { FitData } from "../api/types.js" */
@@ -20,11 +21,11 @@ import { showWarnings, showWarningsLink } from "./warnings.js";
 /** @import { ShownSweep } from "../figures/over-slip.js" */
 /** @import { Settings } from "../state/settings.js" */
 
-/** @typedef {"tiles" | "scene" | "profile" | "sweep"} Part */
+/** @typedef {"tiles" | "scene" | "profile" | "sweep" | "rover"} Part */
 /** @typedef {{ path: string, body: object }} Asked */
 
 /** @type {Part[]} */
-export const ALL_PARTS = ["tiles", "scene", "profile", "sweep"];
+export const ALL_PARTS = ["tiles", "scene", "profile", "sweep", "rover"];
 
 const SLIP_CHARTS = [
   { id: "longitudinal-force-chart", quantity: "longitudinal_force_n", symbol: "F_x" },
@@ -81,31 +82,44 @@ export function createView(app, { fourth, measured, onCurves, onPick }) {
    * @param {Settings} settings
    * @param {Outcomes} outcomes
    */
-  function showForces({ drawing: { radius, lugHeight, lugCount } }, { forces: { body, answer }, profile, byMethod }) {
+  function showForces(settings, { forces: { body, answer }, profile, byMethod }) {
     if (!answer) return;
+    const { radius, lugHeight, lugCount } = settings.drawing;
     shown.forces = { path: "/v1/forces", body };
     showTiles(app, answer);
+    showBasis(byId("basis"), basisOf(settings, answer));
     showComparison(byId("comparison"), byMethod);
     if (radius !== null) scene.draw({ radius, lugHeight, lugCount, forces: answer, profile: profile.answer });
     byId("curl").textContent = curlCommand("/v1/forces", body);
     announce(answer);
   }
 
-  /** @param {Outcomes} outcomes */
-  function showProfile({ profile: { path, body, answer } }) {
+  /**
+   * @param {Settings} settings
+   * @param {Outcomes} outcomes
+   */
+  function showProfile(settings, { forces, profile: { path, body, answer } }) {
     if (!answer) return;
     shown.profile = { path, body };
-    profileChart.draw(profileSpec(answer));
+    profileChart.draw(profileSpec(answer, briefly(settings, forces)));
   }
+
+  /**
+   * What the results rest on, as the legends have it.
+   * @param {Settings} settings
+   * @param {Outcomes["forces"]} forces
+   */
+  const briefly = (settings, { answer }) => (answer ? basisOf(settings, answer).map(({ brief }) => brief) : []);
 
   /**
    * @param {Settings} settings
    * @param {Outcomes} outcomes
    */
-  function showSweep({ slip, method }, { sweep: { path, body, answer }, series, byMethod }) {
+  function showSweep(settings, { forces: chosen, sweep: { path, body, answer }, series, byMethod }) {
     if (!answer) return;
     const forces = byMethod.map((each) => ({ method: each.method, forces: each.forces.answer ?? null }));
-    shown.sweep = { path, body, series, byMethod: forces, slip, method };
+    const { slip, method } = settings;
+    shown.sweep = { path, body, series, byMethod: forces, slip, method, basis: briefly(settings, chosen) };
     drawSlipCharts();
     showGaps(byId("gaps"), series, "spread" in answer ? answer.spread : undefined);
   }
@@ -129,12 +143,13 @@ export function createView(app, { fourth, measured, onCurves, onPick }) {
      */
     show(settings, outcomes) {
       showForces(settings, outcomes);
-      showProfile(outcomes);
+      showProfile(settings, outcomes);
       showSweep(settings, outcomes);
       showAllWarnings(outcomes);
-      const { forces, profile, sweep } = outcomes;
-      const answered = { tiles: forces, scene: forces, profile, sweep };
-      return ALL_PARTS.filter((part) => !answered[part].answer);
+      const { forces, profile, sweep, rover: onSlopes } = outcomes;
+      const isRoverAnswered = !onSlopes || Boolean(onSlopes.slope.answer && onSlopes.slopes.answer);
+      const answered = { tiles: forces.answer, scene: forces.answer, profile: profile.answer, sweep: sweep.answer, rover: isRoverAnswered };
+      return ALL_PARTS.filter((part) => !answered[part]);
     },
 
     /**

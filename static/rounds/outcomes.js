@@ -3,9 +3,10 @@
 import { Problem } from "../api/client.js";
 import { post } from "../api/endpoints.js";
 import { compareBody, forcesBody, profileBody, sweepBody } from "../state/bodies.js";
+import { roverBody, slopesBody } from "../state/rover-body.js";
 
 /** @import { Drawn } from "../api/endpoints.js" */
-/** @import { Comparison, Forces, Method, SlipSweep, StressProfile, SweepColumns } from "../api/types.js" */
+/** @import { Comparison, FieldFault, Forces, Method, SlipSweep, StressProfile, SweepColumns, VehicleOnSlope, VehicleOverSlopes } from "../api/types.js" */
 /** @import { Settings } from "../state/settings.js" */
 
 /**
@@ -18,11 +19,14 @@ import { compareBody, forcesBody, profileBody, sweepBody } from "../state/bodies
 /** @typedef {{ method: string, columns: SweepColumns, gap_to_quadrature?: Comparison["series"][number]["gap_to_quadrature"] }} Series */
 /** @typedef {{ method: Method, forces: Outcome<Forces> }} MethodOutcome */
 
+/** @typedef {{ slope: Outcome<VehicleOnSlope>, slopes: Outcome<VehicleOverSlopes> }} RoverOutcome */
+
 /**
  * @typedef {object} Outcomes
  * @property {Outcome<Forces>} forces by the chosen method
  * @property {Outcome<Sweep>} sweep
  * @property {Outcome<StressProfile>} profile
+ * @property {RoverOutcome | null} rover null where none is asked for
  * @property {MethodOutcome[]} byMethod the forces by all methods asked for
  * @property {Series[]} series their curves
  */
@@ -70,6 +74,21 @@ const sweepOutcome = (settings, signal) => (settings.methods.length > 1
   : outcomeOf("/v1/slip-sweep", sweepBody(settings, settings.method), signal));
 
 /**
+ * @param {Settings} settings
+ * @param {AbortSignal} signal
+ * @returns {Promise<RoverOutcome | null>}
+ */
+async function roverOutcome(settings, signal) {
+  const { rover } = settings;
+  if (!rover) return null;
+  const [slope, slopes] = await Promise.all([roverBody(settings, rover), slopesBody(settings, rover)].map((body) => outcomeOf("/v1/vehicle", body, signal)));
+  return /** @type {RoverOutcome} */ ({ slope, slopes });
+}
+
+/** A rover has the wheel of the page in other places of its request. @param {FieldFault} fault */
+const ofWheel = (fault) => ({ ...fault, pointer: fault.pointer.replace(/^\/(wheels|stations\/\d+)\/wheel(?=\/|$)/, "/wheel") });
+
+/**
  * The curves of each method, and their gaps to the integral where there are several.
  * @param {Outcome<Sweep>} sweep
  * @returns {Series[]}
@@ -87,7 +106,7 @@ function seriesOf({ answer }) {
  */
 async function refusal(settings, signal) {
   const forces = await outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
-  return forces.problem ? { forces, sweep: forces, profile: forces, byMethod: [], series: [] } : null;
+  return forces.problem ? { forces, sweep: forces, profile: forces, rover: settings.rover && { slope: forces, slopes: forces }, byMethod: [], series: [] } : null;
 }
 
 /**
@@ -100,20 +119,29 @@ export async function askAll(settings, signal) {
   if (refused) return refused;
   const asked = new Map(settings.methods.map((method) => [method, outcomeOf("/v1/forces", forcesBody(settings, method), signal)]));
   const chosen = asked.get(settings.method) ?? outcomeOf("/v1/forces", forcesBody(settings, settings.method), signal);
-  const [forces, profile, sweep, ...byMethod] = await Promise.all([
+  const [forces, profile, sweep, rover, ...byMethod] = await Promise.all([
     chosen,
     profileOutcome(settings, chosen, signal),
     sweepOutcome(settings, signal),
+    roverOutcome(settings, signal),
     ...[...asked].map(async ([method, outcome]) => ({ method, forces: await outcome })),
   ]);
-  return { forces, sweep, profile, byMethod, series: seriesOf(sweep) };
+  return { forces, sweep, profile, rover, byMethod, series: seriesOf(sweep) };
 }
+
+/**
+ * Under a known load the closed forms need no law of pressure and sinkage, but the stresses along the contact do: the forces stand
+ * without them.
+ * @param {Outcomes} outcomes
+ */
+export const hasForcesAlone = ({ forces, profile }) => forces.answer?.normal_stress_from === "load" && profile.problem !== undefined;
 
 /**
  * The faults of the chosen method's outcomes, each once, though several requests may have it.
  * @param {Outcomes} outcomes
  */
-export function faultsOf({ forces, sweep, profile }) {
-  const faults = [forces, sweep, profile].flatMap(({ problem }) => problem?.faults ?? []);
+export function faultsOf(outcomes) {
+  const { forces, sweep, profile, rover } = outcomes;
+  const faults = [forces, sweep, ...(rover ? [rover.slope, rover.slopes] : []), ...(hasForcesAlone(outcomes) ? [] : [profile])].flatMap(({ problem }) => problem?.faults ?? []).map(ofWheel);
   return [...new Map(faults.map((fault) => [`${fault.pointer} ${fault.detail}`, fault])).values()];
 }

@@ -60,5 +60,8 @@ export function createRounds({ run, onUnavailable }) {
     if (!inFlight && failures > 0) start();
   });
 
-  return { request };
+  /** Whether the round in flight is that of the latest inputs. */
+  const isLatest = () => !again;
+
+  return { request, isLatest };
 }

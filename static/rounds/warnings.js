@@ -1,8 +1,11 @@
 // The warnings of a round, by the part of the page that they are about.
 
 import { METHOD_NAMES } from "../quantities/results.js";
+import { hasForcesAlone } from "./outcomes.js";
+import { faultText } from "../wording/faults.js";
 import { resultWarning, sweepWarning } from "../wording/warnings.js";
 
+/** @import { Warning } from "../api/types.js" */
 /** @import { WarningWords } from "../wording/warnings.js" */
 /** @import { Outcomes } from "./outcomes.js" */
 
@@ -36,15 +39,21 @@ const urgentFirst = (warnings) => [...warnings.filter(isUrgent), ...warnings.fil
  * What is said of the results is not said again of the curves.
  * @param {Outcomes} outcomes
  */
-export function warningsOf({ sweep, profile, byMethod, series }) {
+export function warningsOf(outcomes) {
+  const { sweep, profile, byMethod, series } = outcomes;
+  /** What was assumed stands with its reasons among what the results rest on. @param {Warning} warning */
+  const isNews = ({ code }) => code !== "assumed_values";
   const isCompared = byMethod.length > 1;
   const slips = series[0]?.columns.slip ?? [];
   const ofForces = byMethod.flatMap(({ method, forces: { answer } }) =>
-    (answer?.warnings ?? []).map((warning) => ({ ...resultWarning(warning), methods: isCompared ? [method] : [] })));
-  const ofSweep = (sweep.answer?.warnings ?? []).map((warning) => sweepWarning(warning, slips));
-  const ofProfile = (profile.answer?.warnings ?? []).map(resultWarning);
+    (answer?.warnings ?? []).filter(isNews).map((warning) => ({ ...resultWarning(warning), methods: isCompared ? [method] : [] })));
+  const ofSweep = (sweep.answer?.warnings ?? []).filter(isNews).map((warning) => sweepWarning(warning, slips));
+  const ofProfile = (profile.answer?.warnings ?? []).filter(isNews).map(resultWarning);
   const said = new Set(ofForces.map(({ gist }) => gist));
   /** @param {WarningWords[]} warnings */
   const further = (warnings) => gathered(warnings.filter(({ gist }) => !said.has(gist)));
-  return { forces: urgentFirst(gathered(ofForces)), sweep: further(ofSweep), profile: further(ofProfile) };
+  /** @type {ShownWarning[]} */
+  const refused = hasForcesAlone(outcomes) ? [{ code: "no_profile", methods: [],
+    text: `The forces need no law of pressure and sinkage here, the stresses do: it ${profile.problem?.faults.map((fault) => faultText(fault)).join(" ")}` }] : [];
+  return { forces: urgentFirst(gathered(ofForces)), sweep: further(ofSweep), profile: [...refused, ...further(ofProfile)] };
 }

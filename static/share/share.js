@@ -71,7 +71,7 @@ export function connectCopy(button, text) {
 
 /**
  * A file to be saved: what it is, of which wheel and soil, and its text.
- * @typedef {{ what: string, wheel: { preset?: string }, soil: { preset?: string }, text: () => Promise<string> }} SavedFile
+ * @typedef {{ what: string, wheel: { preset?: string }, soil?: { preset?: string }, text: () => Promise<string> }} SavedFile
  */
 
 /**
@@ -81,7 +81,7 @@ export function connectCopy(button, text) {
 export function connectFile(button, file) {
   onClick(button, "Saved", async () => {
     const { what, wheel, soil, text } = file();
-    saveFile(`${[what, wheel.preset, soil.preset].join("_")}.csv`, await text(), "text/csv");
+    saveFile(`${[what, wheel.preset, soil?.preset].join("_")}.csv`, await text(), "text/csv");
   });
 }
 

@@ -15,6 +15,7 @@ const CLOSED_FORMS = ["linearised", "explicit"];
  */
 export const options = (settings, method) => ({
   ...(settings.normalStressRadius !== "rim" && { normal_stress_radius: settings.normalStressRadius }),
+  ...settings.circles,
   ...(settings.peakSinkage && CLOSED_FORMS.includes(method) && { peak_sinkage: settings.peakSinkage }),
   ...(method === "explicit" && settings.lambdas),
 });
@@ -72,6 +73,7 @@ export function profileBody(settings, sinkage) {
     slip: settings.slip,
     ...given,
     ...settings.brakingLaw,
+    ...settings.circles,
     ...(settings.method === "resistive_force" && { method: settings.method }),
     ...(settings.peakSinkage && { peak_sinkage: settings.peakSinkage }),
     points: PROFILE_POINTS,

@@ -17,14 +17,22 @@ import { FIELDS, fieldNamed } from "../quantities/fields.js";
  * @property {string} soil
  * @property {Method} method
  * @property {Given} by
+ * @property {string} load_known "1" where the load is known beside a sinkage, else empty
+ * @property {string} assume "1" where the catalogue's substitutes for unpublished values are taken, else empty
  * @property {string} compare "1" where it is ticked, else empty
+ * @property {string} rover "1" where it is ticked, else empty
+ * @property {string} axles the places of its axles (mm) as typed, empty where its wheels carry equal loads
+ * @property {string} rut "1" where wheels run in the ruts of those before them, else empty
  * @property {string} braking "1" where it is ticked, else empty
  * @property {"one_zone" | "two_zone"} braking_law
  * @property {string | null} law null while the soil's own
  * @property {string | null} shear null while the soil's own
  * @property {string | null} rule null while the soil's own
+ * @property {string} exit empty where the contact ends by c3, else the law by which it ends
  * @property {"lyasko" | "linear"} slip_sinkage
  * @property {"rim" | "shearing"} normal_stress_radius
+ * @property {"rim" | "shearing" | "lug_tip"} slip_radius
+ * @property {"shearing" | "rim"} shear_displacement_radius
  * @property {"" | "geometric" | "half"} peak_sinkage
  * @property {string} fourth
  */
@@ -42,14 +50,22 @@ const CHOICES = {
   soil: "letter-sand",
   method: "quadrature",
   by: "sinkage",
+  load_known: "",
+  assume: "",
   compare: "",
+  rover: "",
+  axles: "",
+  rut: "",
   braking: "",
   braking_law: "one_zone",
   law: null,
   shear: null,
   rule: null,
+  exit: "",
   slip_sinkage: "lyasko",
   normal_stress_radius: "rim",
+  slip_radius: "rim",
+  shear_displacement_radius: "shearing",
   peak_sinkage: "",
   fourth: "tractive_efficiency",
 };

@@ -36,25 +36,26 @@ export function identifyBody(settings, fit, data) {
 }
 
 /** @typedef {"measured" | "measured_load" | "load" | "static" | "page"} SinkageSource the last three are set on the page */
+/** @typedef {"column" | "page" | null} LoadSource of a load that is known beside a sinkage; null where none is */
 
 /** @type {Record<GivenName, SinkageSource>} */
 const SOURCES = { sinkage_m: "page", normal_load_n: "load", static_sinkage_m: "static" };
 
 /**
- * A track with the settings of the page. Measured values take precedence.
+ * A track with the settings of the page. Measured values take precedence. Slip, static sinkage and load are enough for pull and torque.
  * @param {Settings} settings
  * @param {TrackColumns} track
- * @returns {TrackAsked & { sinkageFrom: SinkageSource }}
+ * @returns {TrackAsked & { sinkageFrom: SinkageSource, loadFrom: LoadSource }}
  */
 export function trackRequest(settings, track) {
   const shared = { ...settings.common, ...settings.brakingLaw, method: settings.method, ...options(settings, settings.method) };
-  const { sinkage_m: sinkage, ...given } = settings.given;
-  if (track.sinkage_m) {
-    // A measured torque still needs the load.
-    const load = settings.givenName === "normal_load_n" && !track.normal_load_n ? given : {};
-    return { settings: { ...shared, ...load }, columns: track, sinkageFrom: "measured" };
-  }
-  if (track.normal_load_n) return { settings: shared, columns: track, sinkageFrom: "measured_load" };
+  const { sinkage_m: sinkage, normal_load_n: load, ...fixed } = settings.given;
+  const own = load === undefined || track.normal_load_n ? {} : { normal_load_n: load };
+  /** @type {LoadSource} */
+  const loadFrom = track.normal_load_n ? "column" : load === undefined ? null : "page";
+  if (track.sinkage_m) return { settings: { ...shared, ...own }, columns: track, sinkageFrom: "measured", loadFrom };
+  if (settings.givenName === "static_sinkage_m") return { settings: { ...shared, ...fixed, ...own }, columns: track, sinkageFrom: "static", loadFrom };
+  if (track.normal_load_n) return { settings: shared, columns: track, sinkageFrom: "measured_load", loadFrom: null };
   const columns = sinkage === undefined ? track : { ...track, sinkage_m: (track.time_s ?? []).map(() => sinkage) };
-  return { settings: { ...shared, ...given }, columns, sinkageFrom: SOURCES[settings.givenName] };
+  return { settings: { ...shared, ...own }, columns, sinkageFrom: SOURCES[settings.givenName], loadFrom: sinkage === undefined ? null : loadFrom };
 }

@@ -38,6 +38,8 @@ export function createStatus(app, line) {
 
   return {
     loading: () => show("loading", ["Asking the service…"]),
+    /** The inputs have changed: what is shown is not yet the answer to them. */
+    pending: () => show("loading", hasResults ? ["Asking the service… What is shown belongs to the inputs before."] : ["Asking the service…"]),
     ready() {
       hasResults = true;
       show("ready", ["Results match the inputs."]);

@@ -9,6 +9,9 @@ import { TRACK_CHARTS } from "./figures.js";
 /** @param {HTMLElement} form */
 export function fillTrackForm(form) {
   const terms = html("p", { class: "figure-note", id: "track-terms" });
+  const lead = html("p", { class: "lead", id: "track-lead", hidden: true },
+    "Slip, static sinkage z₀ and load are enough for pull and torque; the soil’s sinkage modulus is not needed. ",
+    html("button", { type: "button", id: "track-use-load", class: "small" }, "Use z₀ and the load"));
   const controls = searchControls(
     { start: "follow-track", cancel: "cancel-track", progress: "track-progress", elapsed: "track-elapsed" },
     "Follow the track", "The service follows the track");
@@ -22,6 +25,6 @@ export function fillTrackForm(form) {
     events,
     html("div", { class: "slip-charts" }, ...TRACK_CHARTS.map(({ id, name, symbol }) => chartFigure(id, titleWithSymbol(QUANTITIES[name].name, symbol)))),
     html("div", { class: "fit-actions" }, csv));
-  form.append(html("fieldset", {}, html("legend", {}, "Over time"), terms, controls.row), status, warnings, result);
-  return { terms, controls, status, warnings, result, note, events, csv };
+  form.append(html("fieldset", {}, html("legend", {}, "Over time"), lead, terms, controls.row), status, warnings, result);
+  return { lead, terms, controls, status, warnings, result, note, events, csv };
 }

@@ -2,7 +2,7 @@
 
 import { follow, followForCsv } from "../api/endpoints.js";
 import { createChart } from "../charts/chart.js";
-import { byId, enclosing } from "../dom/find.js";
+import { byId, enclosing, find } from "../dom/find.js";
 import { fieldAt } from "../quantities/fields.js";
 import { showWarnings } from "../results/warnings.js";
 import { UNREADABLE_INPUTS, createSearch, onSubmit } from "../search/search.js";
@@ -11,7 +11,7 @@ import { trackRequest } from "../state/measured-bodies.js";
 import { trackWarning } from "../wording/warnings.js";
 import { TRACK_CHARTS, trackSpec } from "./figures.js";
 import { fillTrackForm } from "./form.js";
-import { eventTable, statusCounts, termsOf } from "./words.js";
+import { eventTable, hasLoadBesideSinkage, statusCounts, termsOf } from "./words.js";
 
 /** @import { TrackAsked } from "../api/endpoints.js" */
 /** @import { Track, TrackColumns } from "../api/types.js" */
@@ -25,6 +25,7 @@ import { eventTable, statusCounts, termsOf } from "./words.js";
  * @typedef {object} TelemetryEvents
  * @property {() => Settings} settings what is on the page
  * @property {() => TrackTable | null} track
+ * @property {() => void} onLoadKnown gives the static sinkage and the load on the page
  * @property {(slips: Cell[]) => void} onSlips takes the slip of each row, as the service has it
  */
 
@@ -32,8 +33,8 @@ import { eventTable, statusCounts, termsOf } from "./words.js";
  * @param {HTMLElement} form
  * @param {TelemetryEvents} events
  */
-export function connectTelemetry(form, { settings, track, onSlips }) {
-  const { terms, controls, status, warnings, result, note, events, csv } = fillTrackForm(form);
+export function connectTelemetry(form, { settings, track, onSlips, onLoadKnown }) {
+  const { lead, terms, controls, status, warnings, result, note, events, csv } = fillTrackForm(form);
   const search = createSearch({ form, running: "following", done: "followed", status, results: [warnings, result], controls });
   const charts = TRACK_CHARTS.map(({ id, name }) => ({ name, host: byId(id), chart: createChart(byId(id)) }));
   /** @type {TrackAsked | null} */
@@ -94,6 +95,7 @@ export function connectTelemetry(form, { settings, track, onSlips }) {
     });
   });
 
+  find(lead, "button").addEventListener("click", onLoadKnown);
   connectFile(csv, () => {
     if (!asked) throw new Error("There is no track to save yet.");
     const request = asked;
@@ -105,6 +107,7 @@ export function connectTelemetry(form, { settings, track, onSlips }) {
     const table = track();
     if (form.hidden || !table) return;
     terms.textContent = termsOf(settings(), table.track);
+    lead.hidden = hasLoadBesideSinkage(settings(), table.track);
     markStale();
   }
 

@@ -5,11 +5,12 @@ import { columnHeads, rowHead, table } from "../dom/tables.js";
 import { seconds } from "../numbers/format.js";
 import { MEASURED } from "../quantities/measured.js";
 import { quantity } from "../quantities/results.js";
+import { CIRCLE_NAMES } from "../wording/basis.js";
 import { trackRequest } from "../state/measured-bodies.js";
 import { listed } from "../wording/values.js";
 
 /** @import { TrackColumns, TrackEvent } from "../api/types.js" */
-/** @import { SinkageSource } from "../state/measured-bodies.js" */
+/** @import { LoadSource, SinkageSource } from "../state/measured-bodies.js" */
 /** @import { Settings } from "../state/settings.js" */
 
 const MOST_EVENTS = 20;
@@ -39,14 +40,38 @@ function sinkageTerms(source, { given }) {
 }
 
 /**
+ * @param {LoadSource} source
+ * @param {Settings} settings
+ */
+function loadTerms(source, { given }) {
+  if (source === null) return "";
+  const load = source === "column" ? "measured normal force" : `load of ${quantity("normal_force_n", given.normal_load_n)} that is set on this page`;
+  return ` The ${load} takes the place of the sinkage modulus.`;
+}
+
+/** @param {Settings} settings */
+const circleTerms = ({ drawing: { lugHeight }, circles }) =>
+  (lugHeight > 0 ? ` The slip is counted at ${CIRCLE_NAMES[circles.slip_radius ?? "rim"]}.` : "");
+
+/**
  * @param {Settings} settings
  * @param {TrackColumns} track
  */
 export function termsOf(settings, track) {
-  const { sinkageFrom } = trackRequest(settings, track);
+  const { sinkageFrom, loadFrom } = trackRequest(settings, track);
   const sent = listed(Object.keys(track).map((name) => SENT_NAMES[name] ?? MEASURED[name].label.toLowerCase()));
   return `${track.time_s?.length ?? 0} rows of ${sent} are sent, with the wheel, the soil and the method of this page, straight ahead. ${
-    sinkageTerms(sinkageFrom, settings)}`;
+    sinkageTerms(sinkageFrom, settings)}${loadTerms(loadFrom, settings)}${circleTerms(settings)}`;
+}
+
+/**
+ * Whether the track has what leads to pull and torque without a sinkage modulus.
+ * @param {Settings} settings
+ * @param {TrackColumns} track
+ */
+export function hasLoadBesideSinkage(settings, track) {
+  const { sinkageFrom, loadFrom } = trackRequest(settings, track);
+  return sinkageFrom !== "page" && loadFrom !== null;
 }
 
 /**

@@ -1,4 +1,4 @@
-// Published measurements against the predictions of the methods. They are loaded when the section comes near the window.
+// Published measurements against the predictions of the methods.
 
 import { messageOf } from "../api/client.js";
 import { validationSets } from "../api/endpoints.js";
@@ -14,8 +14,6 @@ import { TABLES, errorTable } from "./tables.js";
 /** @import { Chart } from "../charts/chart.js" */
 /** @import { SetChart } from "./set.js" */
 
-const NEARBY = "300px";
-
 /**
  * @param {HTMLElement} section
  * @param {string} id of the chosen set
@@ -28,11 +26,8 @@ function markChosen(section, id) {
   }
 }
 
-/**
- * Shows the section once it comes near the window.
- * @param {HTMLElement} section
- */
-export function connectValidation(section) {
+/** @param {HTMLElement} section */
+export function showValidation(section) {
   const status = byId("validation-status");
   const { set: description, charts: chartArea } = fillValidation(section);
   /** @type {(SetChart & { view: Chart })[] | null} */
@@ -90,10 +85,5 @@ export function connectValidation(section) {
     }
   }
 
-  const observer = new IntersectionObserver((entries) => {
-    if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-    observer.disconnect();
-    load();
-  }, { rootMargin: NEARBY });
-  observer.observe(section);
+  load();
 }

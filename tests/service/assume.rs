@@ -26,11 +26,47 @@ fn assumed_of(answer: &Value) -> Vec<(String, f64)> {
     told.filter(|(field, _)| field != "wheel.lug_height_m").collect()
 }
 
-/// What the catalogue proposes for an entry.
+/// What the catalogue proposes for an entry, without the density, which only the method resistive_force takes.
 fn proposed_of(entry: &Value, part: &str) -> Vec<(String, f64)> {
     let proposed = list(entry, "assumed").iter();
     let told = proposed.map(|one| (format!("{part}.{}", text(one, "field")), one["value"].as_f64().expect("a number")));
-    told.filter(|(field, _)| field != "wheel.lug_height_m").collect()
+    told.filter(|(field, _)| field != "wheel.lug_height_m" && field != "soil.bulk_density_kg_m3").collect()
+}
+
+/// Every soil of grains with friction answers by `resistive_force`: with its own density, or with that of its kind and its reason.
+#[test]
+fn a_density_is_assumed_for_dry_grains() {
+    let (mut own, mut assumed) = (0, 0);
+    for soil in entries("/v1/soils", "soils") {
+        let body = with(&at_slip(&soil["id"], &json!("letter")), json!({"method": "resistive_force", "sinkage_m": 0.01}));
+        let body = with(&body, json!({"normal_load_n": null}));
+        let proposed: Vec<&Value> = list(&soil, "assumed").iter().filter(|one| one["field"] == "bulk_density_kg_m3").collect();
+        let answer = post("/v1/forces", &body);
+        if text(&soil, "kind") == "snow" {
+            assert!(proposed.is_empty());
+            continue;
+        }
+        let told = |found: &Value| list(found, "assumed").iter().find(|one| one["field"] == "soil.bulk_density_kg_m3").cloned();
+        match (proposed.first(), answer.status.as_u16()) {
+            (Some(proposed), 200) => {
+                let found = answer.ok();
+                let told = told(&found).expect("a density");
+                assert_eq!((&told["value"], &told["reason"]), (&proposed["value"], &proposed["reason"]));
+                assert!(answer.warned_of().contains(&"assumed_values".into()));
+                // Never silently: without the flag it is required, and the fault offers it.
+                let fault = post("/v1/forces", &with(&body, json!({"assume": null})));
+                assert!(fault.fault("/soil/bulk_density_kg_m3").contains("with \"assume\": true it is"));
+                assumed += 1;
+            }
+            (None, 200) => {
+                assert_eq!(told(&answer.ok()), None);
+                own += 1;
+            }
+            // Soils without friction have no stiffness that would follow.
+            _ => assert_eq!(answer.pointers(), ["/soil/friction_angle_rad"], "{}", soil["id"]),
+        }
+    }
+    assert!(own > 8 && assumed > 30, "{own} {assumed}");
 }
 
 #[test]
@@ -82,6 +118,17 @@ fn every_wheel_answers_with_what_it_assumed() {
         assumed += assumed_of(&found).len();
     }
     assert_eq!(assumed, 3, "the widths of three flight wheels");
+}
+
+/// A load that is known makes the modulus needless, not the exponent that the quadrature takes of the law.
+#[test]
+fn under_a_known_load_the_quadrature_still_assumes_a_law() {
+    let asked = with(&at_slip(&json!("wong-reece-loose-sand"), &json!("letter")), json!({"sinkage_m": 0.02}));
+    let found = post("/v1/forces", &asked).ok();
+    assert_eq!(found["normal_stress_from"], "load");
+    assert!(assumed_of(&found).iter().any(|(field, _)| field == "soil.pressure_sinkage.n0"), "{found}");
+    let refused = post("/v1/forces", &with(&asked, json!({"assume": null})));
+    assert_eq!(refused.pointers(), ["/soil/pressure_sinkage"]);
 }
 
 /// The answer is that of a request that sends the values it lists.

@@ -118,7 +118,9 @@ fn bounded_numbers(
         return bounded_numbers(document, target, pointer, variants, found);
     }
     if let Some(options) = schema["oneOf"].as_array() {
-        for option in options {
+        // Values without a word are those of the forms, once more; tests of the presets have them.
+        let is_without_word = |option: &&Value| option["$ref"].as_str().is_some_and(|target| target.ends_with("Values"));
+        for option in options.iter().filter(|option| !is_without_word(option)) {
             let target = option["$ref"].as_str().and_then(|target| document.pointer(&target[1..]));
             let option = target.unwrap_or(option);
             let mut variants = variants.to_vec();
@@ -325,6 +327,7 @@ fn rover(body: &Value, pointer: &str) -> Value {
     let body = with(&with(body, Value::Object(alone.into_iter().collect())), json!({"mass_kg": 20, "slope_rad": slope}));
     let wheels = match pointer.split('/').nth(1) {
         Some("stations") => json!({"stations": stations}),
+        Some("hitch_height_m") => json!({"stations": stations, "centre_of_mass": {"x_m": 0}}),
         Some("centre_of_mass") => json!({"stations": stations, "centre_of_mass": {"x_m": 0}}),
         Some("unloading") => json!({"stations": stations, "rut": true, "unloading": {}}),
         _ => json!({"wheels": {"count": 4, "wheel": wheel}}),
@@ -398,7 +401,8 @@ fn every_numeric_bound_is_enforced_just_outside_and_accepted_on_the_edge() {
     let document = document();
     let mut checked = 0;
     for (path, method, operation) in operations(&document) {
-        if method != "post" {
+        // A sweep takes the requests of other operations, and the bounds of the ends of an axis are those of its field.
+        if method != "post" || path == "/v1/sweep" {
             continue;
         }
         let mut fields = Vec::new();

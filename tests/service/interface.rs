@@ -147,8 +147,15 @@ fn a_fit_finds_an_interface() {
     let soils = json!({"fit": ["friction_angle_rad", "shear_modulus_m"], "soil": {"cohesion_pa": 500}});
     let fitted = post("/v1/identify", &with(&with(&body, json!({"fit": null})), soils));
     assert!(fitted.warned_of().contains(&"may_be_the_interface".to_owned()));
+    let found_as = |answer: Value| {
+        let names = answer["estimates"].as_array().expect("estimates").iter().map(|one| one["found"].clone());
+        names.collect::<Vec<_>>()
+    };
+    assert_eq!(found_as(fitted.ok()), ["interface_friction_angle_rad", "interface_shear_modulus_m"]);
+    assert_eq!(found_as(found), ["interface_friction_angle_rad", "interface_shear_modulus_m"]);
     let lugged = post("/v1/identify", &with(&body, json!({"fit": ["friction_angle_rad"], "wheel": {"lug_height_m": 0.01}})));
     assert!(!lugged.warned_of().contains(&"may_be_the_interface".to_owned()));
+    assert_eq!(found_as(lugged.ok()), ["friction_angle_rad"]);
     let dry = with(&body, json!({"fit": ["interface_adhesion_pa"], "soil": {"cohesion_pa": 0}}));
     assert_eq!(post("/v1/identify", &dry).pointers(), ["/fit/0"]);
 }

@@ -131,3 +131,74 @@ fn the_shear_acts_where_the_authors_of_a_wheel_say() {
         assert!((answer["shearing_radius_m"].as_f64().expect("a radius") - expected).abs() < 1e-15, "{id}");
     }
 }
+
+/// A soil and, beside it, a contact.
+fn on(soil: &Value, contact: Value) -> Answer {
+    post("/v1/forces", &with(&request_with("soil", soil), json!({"contact": contact})))
+}
+
+#[test]
+fn a_value_of_a_law_is_overridden_alone() {
+    let sand = |law: Value| on(&json!({"preset": "letter-sand", "pressure_sinkage": law}), Value::Null).ok();
+    assert_eq!(sand(json!({"n0": 1.1})), sand(json!({"law": "bekker", "k_c": -660, "k_phi": 754_130, "n0": 1.1})));
+    assert_ne!(sand(json!({"n0": 1.1}))["torque_n_m"], sand(json!({}))["torque_n_m"]);
+    assert_eq!(sand(json!({})), on(&json!({"preset": "letter-sand"}), Value::Null).ok());
+
+    // With its law named it is a whole one, with the defaults of the law: n1 is not the preset's 0.5.
+    let zhurong = |law: Value| on(&json!({"preset": "zhurong-sand-marssim", "pressure_sinkage": law}), Value::Null).ok();
+    let exponent = |reply: Value| reply["sinkage_exponent"].as_f64().expect("an exponent");
+    assert!((exponent(zhurong(json!({"n0": 1.0}))) - 1.1).abs() < 1e-12, "n0 + n1 s at s = 0.2");
+    assert_eq!(exponent(zhurong(json!({"law": "bekker", "k_c": 13_600, "k_phi": 2_259_100, "n0": 1.0}))), 1.0);
+
+    let firn = |shear: Value| on(&json!({"preset": "greenland-firn-lines-2021", "shear": shear}), Value::Null);
+    let published = firn(Value::Null).ok();
+    assert_eq!(firn(json!({})).ok(), published);
+    assert_ne!(firn(json!({"residual_ratio": 0.9})).ok()["torque_n_m"], published["torque_n_m"]);
+
+    let tohoku = json!({"preset": "tohoku-regolith-simulant-2005"});
+    let measured = on(&tohoku, Value::Null).ok();
+    assert_eq!(on(&tohoku, json!({})).ok(), measured);
+    assert_ne!(on(&tohoku, json!({"c3": -0.1})).ok()["torque_n_m"], measured["torque_n_m"]);
+}
+
+#[test]
+fn values_that_a_preset_lacks_complete_its_law() {
+    let soil = json!({
+        "preset": "mit-mms-reece",
+        "pressure_sinkage": {"k_c": 100, "k_phi": 80, "unit_weight_n_m3": 15e3}
+    });
+    let spelled = with(&soil, json!({"pressure_sinkage": {"law": "reece", "n0": 1.387}}));
+    let number = |soil: &Value| on(soil, Value::Null).ok()["normal_force_n"].clone();
+    assert_eq!(number(&soil), number(&spelled));
+    let answer = on(&json!({"preset": "mit-mms-reece", "pressure_sinkage": {"n0": 1.2}}), Value::Null);
+    assert_eq!(
+        answer.pointers(),
+        ["/soil/pressure_sinkage/k_c", "/soil/pressure_sinkage/k_phi", "/soil/pressure_sinkage/unit_weight_n_m3"]
+    );
+}
+
+#[test]
+fn another_law_needs_all_its_values() {
+    let sand = |law: Value| on(&json!({"preset": "letter-sand", "pressure_sinkage": law}), Value::Null);
+    assert_eq!(sand(json!({"law": "direct", "n0": 1.1})).fault("/soil/pressure_sinkage/k_s"), "is required");
+    assert!(sand(json!({"k_s": 1e6})).fault("/soil/pressure_sinkage/k_s").starts_with("`bekker` has no such field"));
+    assert!(sand(json!({"n": 1})).fault("/soil/pressure_sinkage/n").ends_with("did you mean `n0`?"));
+    assert!(sand(json!({"n0": -1})).fault("/soil/pressure_sinkage/n0").starts_with("must be from"));
+    let bare = post("/v1/forces", &with(&letter(), json!({"soil": {"pressure_sinkage": {"law": null}}})));
+    assert!(bare.fault("/soil/pressure_sinkage/law").starts_with("is required: one of bekker"));
+    let shear = on(&json!({"preset": "letter-sand", "shear": {"residual_ratio": 0.5}}), Value::Null);
+    assert!(shear.fault("/soil/shear/residual_ratio").starts_with("`janosi_hanamoto` has no such field"));
+    let contact = on(&json!({"preset": "letter-sand"}), json!({"c3": -0.1}));
+    assert!(contact.fault("/contact/rule").starts_with("is required: one of midpoint"));
+}
+
+#[test]
+fn a_weight_that_overrides_the_law_holds_where_the_soil_lies() {
+    let law = |changes: Value| {
+        let law = with(&json!({"k_c": 100, "k_phi": 80, "unit_weight_n_m3": 15e3}), changes);
+        on(&json!({"preset": "mit-mms-reece", "gravity_m_s2": 1.62, "pressure_sinkage": law}), Value::Null).ok()
+    };
+    let modulus = |reply: Value| reply["sinkage_modulus"].as_f64().expect("a modulus");
+    let spelled = json!({"law": "reece", "n0": 1.387});
+    assert_eq!(modulus(law(json!({}))), modulus(law(spelled)));
+}

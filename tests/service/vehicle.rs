@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{letter, post, post_for_csv, table, with};
+use crate::asking::{get, letter, post, post_for_csv, table, with};
 
 /// Solved slips and loads.
 const SOLVED: f64 = 1e-9;
@@ -198,9 +198,68 @@ fn wheels_in_ruts_sink_less_into_the_floor() {
         assert_eq!(number(&wheels[station], "rut_depth_m") > 0.0, station > 1);
         assert!(station < 2 || own < 0.6 * number(&apart[station], "sinkage_m"), "{wheels}");
     }
-    let stiff = json!({"rut": true, "unloading": {"k_0_n_m3": 120e6, "a_u": 3746e6}});
+    let stiff = json!({"rut": true, "unloading": {"k_0_n_m3": 120e6, "a_u_n_m4": 3746e6}});
     let other = post("/v1/vehicle", &on_stations(stiff)).ok();
     assert!(number(&other["wheels"][2], "rut_depth_m") > number(&wheels[2], "rut_depth_m"));
+}
+
+#[test]
+fn wheels_turn_as_an_independent_solution_says() {
+    let reference = include_str!("../../crates/terramechanics/tests/reference/vehicle.json");
+    let cases: Value = serde_json::from_str(reference).expect("a fixture");
+    for case in cases.as_array().expect("cases").iter().filter(|case| case["input"]["slip_limit"].is_null()) {
+        let reply = post("/v1/vehicle", &case["input"]).ok();
+        assert_eq!(reply["drive"], case["input"]["drive"]);
+        let (wheels, expected) = (reply["wheels"].as_array().expect("wheels"), case["expected"]["wheels"].as_array());
+        for (wheel, expected) in wheels.iter().zip(expected.expect("wheels")) {
+            for name in ["slip", "sinkage_m", "normal_load_n", "longitudinal_force_n", "torque_n_m"] {
+                let (found, expected) = (number(wheel, name), number(expected, name));
+                assert!((found - expected).abs() < SOLVED * expected.abs().max(1.0), "{}: {name} {found}", case["name"]);
+            }
+        }
+        let together = wheels.iter().zip(case["input"]["stations"].as_array().expect("stations"));
+        let together = together.filter(|(_, of)| of["slip"].is_null() && of["torque_n_m"].is_null());
+        let largest = together.map(|(wheel, _)| number(wheel, "slip")).fold(f64::NEG_INFINITY, f64::max);
+        assert_eq!(number(&reply, "slip"), largest, "{}", case["name"]);
+    }
+}
+
+#[test]
+fn a_wheel_is_told_its_slip_or_its_torque() {
+    let told = |changes: Value| {
+        let mut body = on_stations(json!({"slope_rad": 0.05}));
+        body["stations"][5] = with(&body["stations"][5], changes);
+        body
+    };
+    assert_eq!(post("/v1/vehicle", &told(json!({"slip": 0, "torque_n_m": 0}))).pointers(), ["/stations/5/torque_n_m"]);
+    let strong = post("/v1/vehicle", &told(json!({"torque_n_m": 1000})));
+    assert!(strong.fault("/stations/5/torque_n_m").contains("no slip of the wheel of station 5"));
+    let locked = post("/v1/vehicle", &told(json!({"slip": -1}))).ok();
+    assert_eq!(number(&locked["wheels"][5], "energy_per_metre_j_m"), 0.0);
+    assert!(number(&locked, "slip") > number(&post("/v1/vehicle", &told(json!({}))).ok(), "slip"));
+    let mut all = told(json!({}));
+    for station in 0..6 {
+        all["stations"][station]["slip"] = json!(0.1);
+    }
+    assert_eq!(post("/v1/vehicle", &all).pointers(), ["/stations"]);
+    let in_ruts = on_stations(json!({"rut": true, "drive": "equal_torque"}));
+    assert_eq!(post("/v1/vehicle", &in_ruts).pointers(), ["/drive"]);
+    assert_eq!(post("/v1/vehicle", &peer(json!({"hitch_height_m": 0.2}))).pointers(), ["/hitch_height_m"]);
+}
+
+#[test]
+fn a_query_has_wheels_that_are_alike() {
+    let query = "mass_kg=20&gravity_m_s2=1.625&wheels.count=4&wheels.wheel.radius_m=0.1&wheels.wheel.width_m=0.06\
+        &soil.cohesion_pa=1000&soil.friction_angle_rad=0.7853981633974483&soil.shear_modulus_m=0.018\
+        &soil.pressure_sinkage.law=bekker&soil.pressure_sinkage.k_c=1400&soil.pressure_sinkage.k_phi=820e3&soil.pressure_sinkage.n0=1\
+        &contact.rule=wong_reece&contact.c1=0.4&contact.c2=0.2";
+    let slope = get(&format!("/v1/vehicle?{query}&slope_rad=0.1")).ok();
+    assert_eq!(slope, post("/v1/vehicle", &peer(json!({"slope_rad": 0.1}))).ok());
+    let range = "slope_rad.from=0&slope_rad.to=0.2&slope_rad.points=3";
+    let several = get(&format!("/v1/vehicle?{query}&{range}")).ok();
+    assert_eq!(several, post("/v1/vehicle", &peer(json!({"slope_rad": [0, 0.1, 0.2]}))).ok());
+    let table_of = table(&get(&format!("/v1/vehicle?{query}&{range}&format=csv")).text);
+    assert_eq!(table_of, table(&post_for_csv("/v1/vehicle", &peer(json!({"slope_rad": [0, 0.1, 0.2]}))).text));
 }
 
 #[test]

@@ -58,12 +58,31 @@ impl Unknown {
     pub const INTERFACE_FRICTION_ANGLE: Self = Self::of(&Interface::FITTABLE[0].parameter);
     /// Adhesion c_a between rim and soil (Pa).
     pub const INTERFACE_ADHESION: Self = Self::of(&Interface::FITTABLE[1].parameter);
+    /// Displacement modulus between rim and soil (m).
+    pub const INTERFACE_SHEAR_MODULUS: Self = Self::of(&Interface::FITTABLE[2].parameter);
     /// λ_A of the explicit method (–).
     pub const LAMBDA_A: Self = Self::of(&Lambda::A);
     /// λ_B of the explicit method (–).
     pub const LAMBDA_B: Self = Self::of(&Lambda::B);
     /// Static sinkage z0 (m).
     pub const STATIC_SINKAGE: Self = Self::of(&WheelOnSoil::STATIC_SINKAGE);
+
+    /// What a fit with that setup finds under its name. A wheel without lugs slips on the grains before the soil shears in itself, so
+    /// that without an interface of its own its strength and modulus are those between rim and soil.
+    #[must_use]
+    pub fn found_by(self, setup: &Setup) -> Self {
+        if setup.wheel.lug_height() > 0.0 || setup.contact.interface.is_some() {
+            return self;
+        }
+        [
+            (Self::FRICTION_ANGLE, Self::INTERFACE_FRICTION_ANGLE),
+            (Self::COHESION, Self::INTERFACE_ADHESION),
+            (Self::SHEAR_MODULUS, Self::INTERFACE_SHEAR_MODULUS),
+        ]
+        .into_iter()
+        .find_map(|(of_soil, of_interface)| (of_soil == self).then_some(of_interface))
+        .unwrap_or(self)
+    }
 
     /// The unknown that is that parameter. For one that cannot be fitted this does not compile.
     const fn of(parameter: &Parameter) -> Self {

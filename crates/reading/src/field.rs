@@ -5,6 +5,8 @@ use utoipa::openapi::{RefOr, Required, Schema};
 
 use crate::fault::Scope;
 use crate::node::Node;
+use crate::number::Number;
+use crate::path::{Astray, Way};
 
 /// A field of an object, as it is declared.
 #[derive(Debug, Clone, Copy)]
@@ -62,6 +64,19 @@ pub trait Kind: Sync {
     fn names_within(&self) -> Vec<&'static str> {
         Vec::new()
     }
+
+    /// The number at the end of a way that leads here.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        Err(way.astray(self.what()))
+    }
+
+    /// What it holds, in words: of what is no number and has no fields.
+    fn what(&self) -> &'static str {
+        "a word"
+    }
 }
 
 /// A query parameter, whose meaning is said once, where readers of the document look for it.
@@ -108,6 +123,12 @@ pub trait Declared: Sync {
 
     /// The names of the fields of an object; none of anything else.
     fn names_within(&self) -> Vec<&'static str>;
+
+    /// The number at the end of a way that leads here.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray>;
 }
 
 impl<K: Kind> Declared for Field<K> {
@@ -133,6 +154,10 @@ impl<K: Kind> Declared for Field<K> {
 
     fn names_within(&self) -> Vec<&'static str> {
         self.kind.names_within()
+    }
+
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        self.kind.number_at(way)
     }
 }
 

@@ -9,6 +9,7 @@ use crate::field::{Components, Kind, parameter, wrong_type};
 use crate::node::{Item, List, Node};
 use crate::number::Number;
 use crate::object::Object;
+use crate::path::{Astray, Way};
 use crate::reader::{Defaulting, Reader};
 use crate::word::Word;
 
@@ -109,6 +110,10 @@ impl Kind for Numbers {
 
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
+
+    fn what(&self) -> &'static str {
+        "an array of numbers"
+    }
 }
 
 /// A lower and an upper bound.
@@ -138,6 +143,10 @@ impl Kind for Bounds {
 
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
+
+    fn what(&self) -> &'static str {
+        "an array of two bounds"
+    }
 }
 
 /// Different words out of a list, at least one.
@@ -213,6 +222,10 @@ impl<T: Copy + PartialEq + Sync> Kind for Words<T> {
         list.explode = Some(false);
         found.push(list);
     }
+
+    fn what(&self) -> &'static str {
+        "an array of words"
+    }
 }
 
 impl<T: Copy + PartialEq + Sync> Defaulting for Words<T> {
@@ -280,4 +293,12 @@ impl Kind for Objects {
 
     /// None: a query has no lists.
     fn parameters(&self, _: &str, _: &str, _: bool, _: &mut Vec<Parameter>) {}
+
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        match way.step() {
+            None => Err(way.astray("a list of objects")),
+            Some((name, behind)) if name.parse::<usize>().is_ok() => self.object.number_within(behind),
+            Some((_, behind)) => Err(behind.not_there("a list has items, which are counted from 0".to_owned())),
+        }
+    }
 }

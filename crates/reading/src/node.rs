@@ -157,6 +157,10 @@ impl<'a> List<'a> {
         &self.others
     }
 
+    pub(crate) fn other_mut(&mut self, at: usize) -> Option<&mut Node<'a>> {
+        self.others.get_mut(at).map(|(_, node)| node)
+    }
+
     /// All items.
     pub fn items(&self) -> impl Iterator<Item = Item<'_, 'a>> {
         let mut others = self.others.iter().peekable();

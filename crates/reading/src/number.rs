@@ -1,17 +1,14 @@
 //! Numbers with a unit and bounds.
 
+mod kind;
+
 use std::borrow::Cow;
 use std::fmt;
 
 use utoipa::openapi::extensions::Extensions;
-use utoipa::openapi::path::Parameter;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, SchemaType, Type};
-use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::{Figures, Scope};
-use crate::field::{Kind, parameter, wrong_type};
-use crate::node::Node;
-use crate::reader::Defaulting;
 
 /// A number with a unit and bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,6 +66,12 @@ impl Number {
     #[must_use]
     pub const fn or(self, default: f64) -> Self {
         Self { default: Some(default), ..self }
+    }
+
+    /// Without a default.
+    #[must_use]
+    pub(crate) const fn without_default(self) -> Self {
+        Self { default: None, ..self }
     }
 
     /// Its unit.
@@ -209,31 +212,6 @@ impl fmt::Display for Number {
         } else {
             write!(f, "{whole}from {} to {}", Plain(self.min), Plain(self.max))
         }
-    }
-}
-
-impl Kind for Number {
-    type Value<'a> = f64;
-
-    fn read<'a>(&self, node: &'a Node<'a>, place: Scope<'a>) -> Option<f64> {
-        match node {
-            Node::Number(value) => self.check(&place, *value),
-            other => wrong_type(&place, "a number", other),
-        }
-    }
-
-    fn schema(&self, meaning: &str) -> RefOr<Schema> {
-        self.described(Some(&self.told(meaning))).into()
-    }
-
-    fn parameters(&self, name: &str, meaning: &str, _: bool, found: &mut Vec<Parameter>) {
-        found.push(parameter(name, &self.told(meaning), self.schema(meaning)));
-    }
-}
-
-impl Defaulting for Number {
-    fn default(&self) -> Option<f64> {
-        self.default
     }
 }
 

@@ -9,6 +9,8 @@ use crate::fault::{Faults, FieldFault, Scope};
 use crate::field::{Components, Declared, Field, Group, Kind, wrong_type};
 use crate::hints::{Hints, shortened};
 use crate::node::{Fields, Node, is_same};
+use crate::number::Number;
+use crate::path::{Astray, Path, Way};
 use crate::reader::Reader;
 
 /// An object, as it is declared.
@@ -107,6 +109,28 @@ impl Object {
         }
     }
 
+    /// The number that is declared under a path.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn number_at(&self, path: &Path, hints: &'static Hints) -> Result<Number, Astray> {
+        self.number_within(Way::of(path, hints))
+    }
+
+    /// The number at the end of a way that leads here.
+    pub(crate) fn number_within(&self, way: Way<'_>) -> Result<Number, Astray> {
+        let Some((name, behind)) = way.step() else {
+            return Err(Astray::NoNumber { what: format!("an object; its fields are {}", self.names().join(", ")) });
+        };
+        match self.fields().find(|field| field.name() == name) {
+            Some(field) => field.number_at(behind),
+            None => {
+                let within: Vec<_> = self.fields().map(|field| (field.name(), field.names_within())).collect();
+                Err(behind.unknown(name, &self.names(), &within))
+            }
+        }
+    }
+
     /// Its schema, which refuses fields that are not declared.
     #[must_use]
     pub fn schema(&self) -> RefOr<Schema> {
@@ -198,6 +222,10 @@ impl Kind for &'static Object {
 
     fn names_within(&self) -> Vec<&'static str> {
         self.names()
+    }
+
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        Object::number_within(self, way)
     }
 }
 

@@ -10,6 +10,7 @@ use crate::list::Numbers;
 use crate::node::Node;
 use crate::number::Number;
 use crate::object::{Object, parameters_within};
+use crate::path::{Astray, Way};
 use crate::reader::Reader;
 use crate::word::words;
 
@@ -37,6 +38,12 @@ pub enum Alternative {
     Object(&'static Object, &'static str),
     /// An object whose fields may all be absent, and what it means; `true` asks for it without any.
     Asked(&'static Object, &'static str),
+}
+
+impl Alternative {
+    pub(crate) fn number(&self) -> Option<Number> {
+        if let Self::Number(number) = self { Some(*number) } else { None }
+    }
 }
 
 /// What a field of several types holds.
@@ -143,5 +150,18 @@ impl Kind for OneOf {
 
     fn names_within(&self) -> Vec<&'static str> {
         self.objects().flat_map(|(object, _)| object.names()).collect()
+    }
+
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        match way.step() {
+            Some(_) => match self.objects().next() {
+                Some((object, _)) => object.number_within(way),
+                None => Err(way.astray("a number")),
+            },
+            None => match self.of.iter().find_map(Alternative::number) {
+                Some(number) => Ok(number),
+                None => Err(Astray::NoNumber { what: self.expected.to_owned() }),
+            },
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Objects whose fields depend on a word: the laws of a family, each with its parameters.
 
+mod read;
+
 use std::borrow::Cow;
 
 use utoipa::openapi::path::Parameter;
@@ -7,13 +9,13 @@ use utoipa::openapi::schema::{AdditionalProperties, Discriminator, ObjectBuilder
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::Scope;
-use crate::fault::unknown_word;
-use crate::field::{Components, Field, Group, Kind, component_name, parameter, wrong_type};
+use crate::field::{Components, Field, Group, Kind, component_name, parameter};
 use crate::node::{Fields, Node, is_same};
 use crate::number::Number;
-use crate::object::{Unknown, parameters_within, reference, report_oddities};
-use crate::reader::Reader;
+use crate::object::{parameters_within, reference};
+use crate::path::{Astray, Way};
 use crate::word::words;
+use read::Tag;
 
 /// An object with one form for each word of its tag.
 #[derive(Clone, Copy)]
@@ -32,6 +34,8 @@ pub struct Tagged {
     pub variants: fn() -> &'static [Variant],
     /// Fields that any form may have beside its parameters; they are read by [`Reader::within`].
     pub also: Group,
+    /// What the object is without the word, where something else can tell its form.
+    pub without_word: Option<&'static str>,
 }
 
 impl std::fmt::Debug for Tagged {
@@ -58,6 +62,14 @@ pub struct Chosen {
     pub index: usize,
     /// The values of its fields, in their order; none for one that may be absent and is.
     pub values: Vec<Option<f64>>,
+}
+
+/// The form that an object has which names none, and what holds for its parameters.
+pub struct Base<'b> {
+    /// The word of the form.
+    pub form: &'b str,
+    /// The values of its parameters, by name.
+    pub value: &'b dyn Fn(&str) -> Option<f64>,
 }
 
 /// A parameter that one or more forms have.
@@ -119,60 +131,6 @@ impl Tagged {
         self.also.iter().map(|field| field.name()).find(|known| is_same(known, name))
     }
 
-    /// Reads the object; where a parameter is absent `otherwise` may have it, by its name.
-    pub(crate) fn read_with(&self, node: &Node<'_>, place: Scope<'_>, otherwise: &dyn Fn(&str) -> Option<f64>) -> Option<Chosen> {
-        let Node::Object(fields) = node else { return wrong_type(&place, "an object", node) };
-        let hint = |name: &str| {
-            let within: Vec<_> = self.also.iter().map(|field| (field.name(), field.names_within())).collect();
-            place.hints().unknown_field(name, &self.all_names(), &within)
-        };
-        let reader = Reader::new(fields, place);
-        // Most names are those of the form that is chosen.
-        let own: &[Field<Number>] = self.form_of(fields).map_or(&[], |variant| &variant.fields);
-        let mut is_foreign = false;
-        let known = |name: &str| match own.iter().find(|field| is_same(field.name, name)) {
-            Some(field) => Some(field.name),
-            None => {
-                is_foreign |= name != self.tag && self.knows_beside(name).is_none();
-                self.knows(name)
-            }
-        };
-        report_oddities(fields, &place, Unknown::Refused, known, hint);
-        let tag = Field::required(self.tag, self.meaning, Tag(self));
-        let Some(index) = reader.required(&tag) else {
-            // What was sent is checked by its bounds alone.
-            for Shared { name, number, .. } in self.shared() {
-                let _ = reader.optional(&Field::new(name, "", number));
-            }
-            return None;
-        };
-        let variant = &(self.variants)()[index];
-        let mut is_sound = true;
-        let mut values = Vec::with_capacity(variant.fields.len());
-        for field in variant.fields.iter() {
-            let value = value(&reader, field, otherwise);
-            is_sound &= value.is_some();
-            values.push(value.flatten());
-        }
-        is_sound &= !is_foreign || self.report_foreign(fields, &place, variant);
-        is_sound.then_some(Chosen { index, values })
-    }
-
-    /// Reports the parameters that only other forms have; false where there are any.
-    fn report_foreign(&self, fields: &Fields<'_>, place: &Scope<'_>, variant: &Variant) -> bool {
-        let is_parameter = |name: &str| variant.fields.iter().any(|field| is_same(field.name, name));
-        let is_own = |name: &str| name == self.tag || is_parameter(name) || self.knows_beside(name).is_some();
-        let mut only_own = true;
-        for (name, _) in fields.iter().filter(|(name, node)| !matches!(node, Node::Null) && !is_own(name)) {
-            let also = self.also.iter().map(|field| field.name());
-            let takes: Vec<&str> = variant.fields.iter().map(|field| field.name).chain(also).collect();
-            let takes = if takes.is_empty() { "no further field".to_owned() } else { takes.join(", ") };
-            only_own = false;
-            place.fault_of(&crate::shortened(name), format_args!("`{}` has no such field; it takes {takes}", variant.name));
-        }
-        only_own
-    }
-
     /// The schema of one form.
     fn form(&self, variant: &Variant) -> RefOr<Schema> {
         let mut object = ObjectBuilder::new()
@@ -190,6 +148,22 @@ impl Tagged {
             object = object.property(field.name(), field.schema());
         }
         object.into()
+    }
+
+    /// The schema of an object without a word.
+    fn values(&self, doc: &str) -> RefOr<Schema> {
+        let object =
+            ObjectBuilder::new().description(Some(doc)).additional_properties(Some(AdditionalProperties::FreeForm(false)));
+        let object = self.shared().into_iter().fold(object, |object, Shared { name, meaning, number }| {
+            // What holds where it is absent is not the form's default.
+            object.property(name, number.without_default().schema(&meaning))
+        });
+        self.also.iter().fold(object, |object, field| object.property(field.name(), field.schema())).into()
+    }
+
+    /// The name of that schema in the contract.
+    fn values_name(&self) -> String {
+        format!("{}Values", self.name)
     }
 
     /// The name of a form in the contract.
@@ -217,51 +191,26 @@ impl Tagged {
     }
 }
 
-/// A parameter of the chosen form; no answer at all where it is wrong or lacking.
-fn value(reader: &Reader<'_>, field: &Field<Number>, otherwise: &dyn Fn(&str) -> Option<f64>) -> Option<Option<f64>> {
-    match reader.optional(field)?.or_else(|| otherwise(field.name)).or(field.kind.default_value()) {
-        None if field.required => reader.required(field).map(Some),
-        value => Some(value),
-    }
-}
-
-/// The word that tells the form.
-struct Tag<'t>(&'t Tagged);
-
-impl Kind for Tag<'_> {
-    type Value<'a> = usize;
-
-    fn read<'a>(&self, node: &'a Node<'a>, place: Scope<'a>) -> Option<usize> {
-        let Some(word) = node.text() else { return wrong_type(&place, "a string", node) };
-        let found = (self.0.variants)().iter().position(|variant| variant.name == word);
-        if found.is_none() {
-            unknown_word(&place, word, &self.0.names());
-        }
-        found
-    }
-
-    fn absent(&self, place: &Scope<'_>) {
-        place.fault(format_args!("is required: one of {}", self.0.names().join(", ")));
-    }
-
-    fn schema(&self, meaning: &str) -> RefOr<Schema> {
-        words(self.0.names()).description(Some(meaning)).into()
-    }
-}
-
 impl Kind for &'static Tagged {
     type Value<'a> = Chosen;
 
     fn read<'a>(&self, node: &'a Node<'a>, place: Scope<'a>) -> Option<Chosen> {
-        self.read_with(node, place, &|_| None)
+        self.read_alone(node, place)
     }
 
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
-        reference(self.name, meaning)
+        match self.without_word {
+            None => reference(self.name, meaning),
+            Some(_) => {
+                let forms = OneOfBuilder::new().description(Some(meaning)).item(reference(self.name, ""));
+                forms.item(reference(&self.values_name(), "")).into()
+            }
+        }
     }
 
     fn components(&self, found: &mut Components) {
         found.push((self.name.to_owned(), Tagged::schema(self)));
+        found.extend(self.without_word.map(|doc| (self.values_name(), self.values(doc))));
         Tagged::components(self, found);
     }
 
@@ -278,24 +227,18 @@ impl Kind for &'static Tagged {
     fn names_within(&self) -> Vec<&'static str> {
         self.all_names()
     }
-}
 
-impl Reader<'_> {
-    /// The chosen form of a tagged object, if it was sent; where a parameter is absent `otherwise` may have it, by its name.
-    #[must_use]
-    pub fn chosen(&self, field: &Field<&'static Tagged>, otherwise: &dyn Fn(&str) -> Option<f64>) -> Option<Option<Chosen>> {
-        match self.raw(field) {
-            Some((node, place)) => field.kind.read_with(node, place, otherwise).map(Some),
-            None => Some(None),
+    fn number_at(&self, way: Way<'_>) -> Result<Number, Astray> {
+        let Some((name, behind)) = way.step() else {
+            return Err(Astray::NoNumber { what: format!("an object; its fields are {}", self.all_names().join(", ")) });
+        };
+        if let Some(shared) = self.shared().into_iter().find(|shared| shared.name == name) {
+            return shared.number.number_at(behind);
         }
-    }
-
-    /// The tagged object that was sent, for the fields that any of its forms may have; its names are checked where it is read.
-    #[must_use]
-    pub fn within<'r>(&'r self, field: &Field<&'static Tagged>) -> Option<Reader<'r>> {
-        match self.raw(field)? {
-            (Node::Object(fields), place) => Some(Reader::new(fields, place)),
-            _ => None,
+        match self.also.iter().find(|field| field.name() == name) {
+            Some(field) => field.number_at(behind),
+            None if name == self.tag => Err(behind.astray("a word")),
+            None => Err(behind.unknown(name, &self.all_names(), &[])),
         }
     }
 }

@@ -161,6 +161,10 @@ impl Kind for Flag {
     fn schema(&self, meaning: &str) -> RefOr<Schema> {
         ObjectBuilder::new().schema_type(Type::Boolean).description(Some(meaning)).into()
     }
+
+    fn what(&self) -> &'static str {
+        "true or false"
+    }
 }
 
 #[cfg(test)]

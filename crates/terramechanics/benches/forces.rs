@@ -2,10 +2,10 @@
 
 use divan::{Bencher, black_box};
 use terramechanics::{
-    Bekker, Circles, Contact, ForceModel, JanosiHanamoto, KnownSinkage, Measured, Method, NormalStressRadius, Operation,
-    PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals, ShearLaw, Sinkage, SinkageExponent, Slip, SlipRadius,
-    SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds, Tracker, Unloading, Vehicle, VehicleParams,
-    Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
+    Bekker, CentreOfMass, Circles, Contact, ContactParams, Drive, ForceModel, Interface, JanosiHanamoto, KnownSinkage, Measured,
+    Method, NormalStressRadius, Operation, PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals, ShearLaw,
+    Sinkage, SinkageExponent, Slip, SlipRadius, SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds,
+    Tracker, Turning, Unloading, Vehicle, VehicleParams, Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
 };
 
 fn main() {
@@ -90,6 +90,19 @@ fn known_load(bencher: Bencher<'_, '_>, method: &str) {
 #[divan::bench(args = METHODS, sample_size = 1000)]
 fn known_load_lugged_cohesive(bencher: Bencher<'_, '_>, method: &str) {
     let operation = lugged(method, Sinkage::UnderLoad { sinkage: KnownSinkage::Given(0.02), load: 80.0 });
+    bencher.bench_local(|| black_box(&operation).at(black_box(slip(0.2))));
+}
+
+/// A bare rim, which slips on the grains before the soil shears in itself.
+#[divan::bench(args = ["quadrature", "linearised", "explicit"], sample_size = 1000)]
+fn interface(bencher: Bencher<'_, '_>, method: &str) {
+    let system = system();
+    let contact = ContactParams {
+        interface: Some(Interface { friction_angle: Some(0.35), adhesion: Some(0.0), shear_modulus: Some(0.0015) }),
+        ..*system.contact.params()
+    };
+    let contact = Contact::new(contact).expect("a contact");
+    let operation = Operation { system: WheelOnSoil { contact, ..system }, model: model(method), sinkage: Sinkage::Given(0.02) };
     bencher.bench_local(|| black_box(&operation).at(black_box(slip(0.2))));
 }
 
@@ -187,19 +200,27 @@ fn solved_slip(bencher: Bencher<'_, '_>, method: &str) {
     bencher.bench_local(|| black_box(&operation).solve_slip(black_box(Pull::Force(12.0))));
 }
 
-/// A rover of four wheels: alike, or each of its own, or in the ruts of those before.
+/// A rover of four wheels: alike, or each of its own, in the ruts of those before, at equal torques, or one under a torque of its own.
 fn rover(kind: &str) -> Vehicle {
-    let station = |position, count| Station { position, count, system: system() };
+    let station = |position, count, turning| Station { position, count, system: system(), turning };
+    let last = if kind == "own torque" { Turning::UnderTorque(0.0) } else { Turning::Together };
     let stations = match kind {
-        "alike" => vec![station(None, 4)],
-        _ => [0.4, 0.4, -0.4, -0.4].map(|x| station(Some(x), 1)).to_vec(),
+        "alike" => vec![station(None, 4, Turning::Together)],
+        _ => {
+            let places = [(0.4, Turning::Together), (0.41, Turning::Together), (-0.4, Turning::Together), (-0.41, last)];
+            places.map(|(x, turning)| station(Some(x), 1, turning)).to_vec()
+        }
     };
+    let centre_of_mass = (kind == "equal torques").then_some(CentreOfMass { position: 0.05, height: 0.2 });
+    let drive = if kind == "equal torques" { Drive::EqualTorque } else { Drive::OneSlip };
     let unloading = (kind == "in ruts").then_some(Unloading::MEASURED);
     let model = model("quadrature");
-    Vehicle::new(VehicleParams { mass: 40.0, gravity: 9.81, stations, centre_of_mass: None, model, unloading }).expect("a rover")
+    let params =
+        VehicleParams { mass: 40.0, gravity: 9.81, stations, centre_of_mass, hitch_height: 0.0, drive, model, unloading };
+    Vehicle::new(params).expect("a rover")
 }
 
-const ROVERS: [&str; 3] = ["alike", "stations", "in ruts"];
+const ROVERS: [&str; 5] = ["alike", "stations", "in ruts", "equal torques", "own torque"];
 
 #[divan::bench(args = ROVERS)]
 fn vehicle_on_slope(bencher: Bencher<'_, '_>, kind: &str) {
@@ -211,4 +232,11 @@ fn vehicle_on_slope(bencher: Bencher<'_, '_>, kind: &str) {
 fn vehicle_largest_slope(bencher: Bencher<'_, '_>, kind: &str) {
     let rover = rover(kind);
     bencher.bench_local(|| black_box(&rover).largest_slope(black_box(0.0), 0.6));
+}
+
+/// A slope that no slip climbs takes the whole search.
+#[divan::bench(args = ROVERS)]
+fn vehicle_not_climbed(bencher: Bencher<'_, '_>, kind: &str) {
+    let rover = rover(kind);
+    bencher.bench_local(|| black_box(&rover).on_slope(black_box(0.8), 0.0));
 }

@@ -159,9 +159,14 @@ impl CoupledForces {
 
     /// All that is to be taken with care at this slip and sinkage (m); nothing of the pressure–sinkage law, which cancels.
     pub fn cautions(&self, system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
-        let deep = DEEP_SINKAGE.of(sinkage / system.wheel.radius());
         let against = torque_against_slip(&system.wheel, &system.contact, slip, sinkage, self.torque);
-        let own = [self.caution(), against, deep, SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
-        own.into_iter().flatten().chain(system_cautions(system))
+        let own = [self.caution(), against];
+        own.into_iter().flatten().chain(coupled_cautions(system, slip, sinkage))
     }
+}
+
+/// What is to be taken with care of the coupled forms at this slip and sinkage (m), whatever load and torque are.
+pub(crate) fn coupled_cautions(system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
+    let own = [DEEP_SINKAGE.of(sinkage / system.wheel.radius()), SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
+    own.into_iter().flatten().chain(system_cautions(system))
 }

@@ -5,9 +5,9 @@ mod common;
 use common::{LETTER_SOIL, LETTER_WHEEL, contact, letter, system};
 use proptest::prelude::*;
 use terramechanics::{
-    Bekker, Braking, CentreOfMass, Contact, Error, ForceModel, JanosiHanamoto, Method, Nearest, Operation, PeakRule,
-    PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SlopeLimit, SoilParams, Station, Unloading, Vehicle, VehicleError,
-    VehicleParams, WheelOnSoil, WheelParams, WongReece,
+    Bekker, Braking, CentreOfMass, Contact, Drive, Error, ForceModel, JanosiHanamoto, Method, Nearest, Operation, PeakRule,
+    PressureSinkage, ShearLaw, Sinkage, SinkageExponent, Slip, SlopeLimit, SoilParams, Station, Turning, Unloading, Vehicle,
+    VehicleError, VehicleParams, WheelOnSoil, WheelParams, WongReece,
 };
 
 /// Solved slips and loads.
@@ -31,15 +31,18 @@ fn alike(mass: f64, count: u32, system: WheelOnSoil) -> VehicleParams {
     VehicleParams {
         mass,
         gravity: 1.625,
-        stations: vec![Station { position: None, count, system }],
+        stations: vec![Station { position: None, count, system, turning: Turning::Together }],
         centre_of_mass: None,
+        hitch_height: 0.0,
+        drive: Drive::OneSlip,
         model: ForceModel::at_rim(Method::Quadrature),
         unloading: None,
     }
 }
 
 fn with_stations(places: &[f64], centre_of_mass: Option<CentreOfMass>, system: WheelOnSoil) -> VehicleParams {
-    let stations = places.iter().map(|&place| Station { position: Some(place), count: 1, system }).collect();
+    let stations =
+        places.iter().map(|&place| Station { position: Some(place), count: 1, system, turning: Turning::Together }).collect();
     VehicleParams { stations, centre_of_mass, ..alike(20.0, 1, system) }
 }
 
@@ -96,17 +99,17 @@ fn loads_are_those_of_statics() {
     // quarter; on a slope the front axle loses W sin α · 0.2/0.8 and the rear one gains it.
     let centre = CentreOfMass { position: 0.0, height: 0.2 };
     let rover = vehicle(with_stations(&[0.4, 0.4, -0.4, -0.4], Some(centre), jsc_1a()));
-    assert!(rover.loads(0.0).expect("loads").iter().all(|load| (load - 8.125).abs() < 1e-14));
+    assert!(rover.loads(0.0, 0.0).expect("loads").iter().all(|load| (load - 8.125).abs() < 1e-14));
     let slope = 0.3f64;
     let shift = 32.5 * slope.sin() * 0.2 / 0.8 / 2.0;
-    let loads = rover.loads(slope).expect("loads");
+    let loads = rover.loads(slope, 0.0).expect("loads");
     for (load, sign) in loads.iter().zip([-1.0, -1.0, 1.0, 1.0]) {
         assert!((load - (32.5 * slope.cos() / 4.0 + sign * shift)).abs() < 1e-13, "{loads:?}");
     }
     // Three axles: linear in x, so the middle one keeps its share.
     let rover = vehicle(with_stations(&[0.5, 0.0, -0.5], Some(CentreOfMass { position: 0.1, height: 0.0 }), jsc_1a()));
     // Σ N = 32.5 and Σ N x = 3.25 give N = 32.5/3 ± 3.25.
-    let loads = rover.loads(0.0).expect("loads");
+    let loads = rover.loads(0.0, 0.0).expect("loads");
     for (load, expected) in loads.iter().zip([32.5 / 3.0 + 3.25, 32.5 / 3.0, 32.5 / 3.0 - 3.25]) {
         assert!((load - expected).abs() < 1e-13, "{loads:?}");
     }
@@ -124,7 +127,7 @@ proptest! {
         let unloading = in_ruts.then_some(Unloading::MEASURED);
         let rover = vehicle(VehicleParams { mass, unloading, ..params });
         let weight = mass * 1.625;
-        let loads = rover.loads(slope).expect("loads");
+        let loads = rover.loads(slope, hitch).expect("loads");
         let sum: f64 = loads.iter().sum();
         prop_assert!((sum / (weight * slope.cos()) - 1.0).abs() < 1e-13);
         let moment: f64 = loads.iter().zip([0.4, 0.4, 0.0, 0.0, -0.5, -0.5]).map(|(load, x)| load * x).sum();
@@ -145,7 +148,7 @@ proptest! {
         let loads = |sign: f64| {
             let places = [0.5, 0.1, -0.4].map(|place| sign * place);
             let centre = CentreOfMass { position: sign * shift, height };
-            vehicle(with_stations(&places, Some(centre), jsc_1a())).loads(sign * slope).expect("loads")
+            vehicle(with_stations(&places, Some(centre), jsc_1a())).loads(sign * slope, 0.0).expect("loads")
         };
         for (a, b) in loads(1.0).iter().zip(loads(-1.0)) {
             prop_assert!((a - b).abs() < 1e-12 * 32.5);
@@ -159,7 +162,7 @@ fn a_slope_beyond_the_pull_is_told_with_the_largest() {
     match rover.on_slope(0.6, 0.0) {
         Err(VehicleError::NotClimbed { needed, reached, nearest: Nearest::Largest, slip }) => {
             assert!((needed - 32.5 * 0.6f64.sin()).abs() < 1e-12);
-            let loads = rover.loads(0.6).expect("loads");
+            let loads = rover.loads(0.6, 0.0).expect("loads");
             let pull = |ratio: f64| rover.at(Slip::new(ratio).expect("a slip"), &loads).expect("a rover").pull;
             let tried = (0..=2000).map(|i| pull(f64::from(i) / 2000.0)).fold(f64::NEG_INFINITY, f64::max);
             assert!(reached >= tried && reached < needed && (pull(slip) - reached).abs() < SOLVED, "{reached} {tried} {slip}");
@@ -174,7 +177,7 @@ fn a_wheel_that_lifts_off_is_told() {
     let centre = CentreOfMass { position: 0.0, height: 0.5 };
     let rover = vehicle(with_stations(&[0.1, -0.1], Some(centre), jsc_1a()));
     let tips = 0.2f64.atan();
-    assert!(rover.loads(tips - 1e-6).is_ok());
+    assert!(rover.loads(tips - 1e-6, 0.0).is_ok());
     match rover.on_slope(tips + 0.01, 0.0) {
         Err(VehicleError::Lifted { station: 0, load, .. }) => assert!(load < 0.0),
         other => panic!("{other:?}"),
@@ -279,7 +282,7 @@ fn a_wheel_in_a_rut_has_the_forces_of_the_unloaded_soil() {
 fn the_wheel_in_the_rut_sinks_less_and_meets_less_resistance() {
     let stations = with_stations(&[0.3, 0.0, -0.3], None, jsc_1a());
     let rover = vehicle(VehicleParams { unloading: Some(Unloading::MEASURED), ..stations });
-    let loads = rover.loads(0.0).expect("loads");
+    let loads = rover.loads(0.0, 0.0).expect("loads");
     let driven = rover.at(Slip::new(0.2).expect("a slip"), &loads).expect("a rover");
     let [first, second, third] = driven.wheels[..] else { panic!("three wheels") };
     assert_eq!(first.rut_depth, 0.0);

@@ -43,7 +43,7 @@ pub(super) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pa
     // Only the columns of a sweep are kept: they are smaller than its points.
     let columns_of = |operation: Operation| {
         let FoundSweep { operation, sweep, warnings } = sweep(&SweepCase { operation, slips: slips.clone() }, pace)?;
-        Ok::<_, Stop>((PointColumns::of(&sweep, &operation.system, false), warnings))
+        Ok::<_, Stop>((PointColumns::of(&sweep, &operation, false), warnings))
     };
     let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
     let mut series: Vec<FoundSeries> = Vec::new();

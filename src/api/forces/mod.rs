@@ -3,6 +3,7 @@
 mod found;
 mod reply;
 mod request;
+mod row;
 
 use axum::extract::State;
 use axum::response::Response;

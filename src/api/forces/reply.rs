@@ -93,7 +93,7 @@ impl Serialize for ForcesReply {
 fn fields(is_wanted: impl Fn(Part) -> bool) -> Vec<Field> {
     let field = |(about, of): (&'static About, OfPoint)| Field {
         about,
-        nullable: matches!(of.value, PointValue::OrNone(_)),
+        nullable: matches!(of.value, PointValue::OrNone(_) | PointValue::UnderLoad(_)),
         present: of.value.is_sideways().then_some("where a slip angle was sent"),
     };
     point_rows().filter(|(_, of)| is_wanted(of.part)).map(field).collect()

@@ -101,7 +101,7 @@ impl From<FoundFit> for IdentifyReply {
             stop_reason: stop_reason(fit.stop),
             iterations: fit.iterations,
             evaluations: fit.evaluations,
-            estimates: fit.estimates.iter().map(EstimateReply::from).collect(),
+            estimates: fit.estimates.iter().map(|estimate| EstimateReply::of_wheel(estimate, &fit.setup)).collect(),
             correlation: fit.correlation.clone(),
             condition_number: Some(fit.condition_number).filter(|number| number.is_finite()),
             dead_directions: fit.dead_directions.iter().map(direction).collect(),
@@ -120,7 +120,8 @@ impl From<FoundLine> for IdentifyReply {
     fn from(found: FoundLine) -> Self {
         let FoundLine { setup, observations, line, bias, warnings } = found;
         let (shear_displacement_radius, slip_radius) = words(setup.contact.circles);
-        let biased = |(i, estimate): (usize, &Estimate)| EstimateReply::from(estimate).biased(bias.map(|bias| bias[i]));
+        let biased =
+            |(i, estimate): (usize, &Estimate)| EstimateReply::of_wheel(estimate, &setup).biased(bias.map(|bias| bias[i]));
         let sinkage = observations.sinkage.as_ref().map_or_else(Vec::new, |column| column.values.clone());
         Self {
             estimator: "linear",

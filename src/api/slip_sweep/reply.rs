@@ -34,7 +34,7 @@ impl From<FoundSweep> for SweepReply {
     fn from(FoundSweep { operation, sweep, warnings }: FoundSweep) -> Self {
         let method = &operation.model.method;
         let is_sideways = matches!(method, Method::SideSlipping(_));
-        let columns = PointColumns::of(&sweep, &operation.system, is_sideways);
+        let columns = PointColumns::of(&sweep, &operation, is_sideways);
         let (shear_displacement_radius, slip_radius) = words(operation.system.contact.circles());
         Self {
             method: method_name(method),

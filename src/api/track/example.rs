@@ -6,7 +6,7 @@ use terramechanics_reading::Node;
 
 use super::request::TrackCase;
 use super::run::Run;
-use crate::contract::{Example, rounded, with_rounded_numbers};
+use crate::contract::{Example, replies_of_texts};
 use crate::extract::SeriesForm;
 use crate::request::checked;
 use crate::stream::{Progress, Work};
@@ -31,18 +31,6 @@ fn replies(request: &Value) -> Vec<(&'static str, Value)> {
         String::from_utf8(output).ok()
     };
     let json: Option<Value> = run(SeriesForm::Json).and_then(|text| serde_json::from_str(&text).ok());
-    let rounded_cell = |cell: &str| cell.parse().map_or_else(|_| cell.to_owned(), |value: f64| format!("{:?}", rounded(value)));
-    let rounded_line = |line: &str| match line.strip_prefix('#') {
-        Some(_) => line.to_owned(),
-        None => line.split(',').map(rounded_cell).collect::<Vec<_>>().join(","),
-    };
-    let rounded_object = |line: &str| serde_json::from_str(line).map(with_rounded_numbers).unwrap_or_default().to_string();
-    let lines = |text: Option<String>, rounded: &dyn Fn(&str) -> String| -> String {
-        text.iter().flat_map(|text| text.lines()).map(|line| rounded(line) + "\n").collect()
-    };
-    vec![
-        ("application/json", json.map(with_rounded_numbers).unwrap_or_default()),
-        ("text/csv", lines(run(SeriesForm::Csv), &rounded_line).into()),
-        ("application/x-ndjson", lines(run(SeriesForm::Ndjson), &rounded_object).into()),
-    ]
+    let text = |form: SeriesForm| run(form).unwrap_or_default();
+    replies_of_texts(json, &text(SeriesForm::Csv), &text(SeriesForm::Ndjson))
 }

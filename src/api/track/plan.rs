@@ -20,13 +20,15 @@ pub(super) struct BesideColumns {
     pub(super) static_sinkage: bool,
     pub(super) normal_load: bool,
     pub(super) strength: bool,
+    /// Whether there is a soil, right or wrong.
+    pub(super) soil: bool,
     /// Whether the soil has a pressure–sinkage law; true where the soil is wrong in another way.
     pub(super) law: bool,
 }
 
 /// Whether samples with these columns can be followed; what is wrong with the columns is reported.
 pub(super) fn check_columns(layout: Layout, beside: BesideColumns, place: &Scope<'_>) -> bool {
-    let BesideColumns { static_sinkage, normal_load, strength, law } = beside;
+    let BesideColumns { static_sinkage, normal_load, strength, soil, law } = beside;
     let columns = place.field("columns");
     let has = |column: Column| layout.has(column);
     let mut sound = true;
@@ -66,7 +68,12 @@ pub(super) fn check_columns(layout: Layout, beside: BesideColumns, place: &Scope
     if !known_sinkage && !normal_load {
         refuse(place.field("static_sinkage_m"), "is required, or `normal_load_n`, or a column `sinkage_m`");
     }
-    if !(law || known_sinkage && normal_load) {
+    if !(soil || known_sinkage && normal_load && has(Column::Torque)) {
+        let detail = "is required, unless torque, load and a sinkage are known: a column `torque_n_m`, `normal_load_n` and \
+                      `sinkage_m` or `static_sinkage_m`";
+        refuse(place.field("soil"), detail);
+    }
+    if soil && !(law || known_sinkage && normal_load) {
         let detail = "is required, unless the load is known beside the sinkage";
         refuse(place.field("soil").field("pressure_sinkage"), detail);
     }

@@ -14,15 +14,8 @@ use crate::warning::Warning;
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Track)]
 pub(crate) struct TrackReply {
-    /// Circle on which the shear displacement was counted: shearing or rim.
-    #[schema(example = "shearing")]
-    shear_displacement_radius: &'static str,
-    /// Circle on which the slip was counted: rim, shearing or lug_tip.
-    #[schema(example = "rim")]
-    slip_radius: &'static str,
-    /// What the normal stress follows from: the pressure–sinkage law of the soil, or the load, which was known beside the sinkage.
-    #[schema(example = "soil")]
-    normal_stress_from: &'static str,
+    #[serde(flatten)]
+    head: HeadReply,
     columns: SampleColumns,
     /// When the wheel was stuck; the first thousand times.
     events: Vec<EventReply>,
@@ -36,18 +29,47 @@ pub(crate) struct TrackReply {
 impl TrackReply {
     /// The columns of a run with its findings.
     pub(crate) fn of(columns: SampleColumns, found: FoundTrack) -> Self {
-        let FoundTrack { circles, normal_stress_from, events, warnings, assumed, .. } = found;
-        let (shear_displacement_radius, slip_radius) = words(circles);
-        let normal_stress_from = normal_stress_from.name();
+        let head = HeadReply::of(&found);
+        let FoundTrack { events, warnings, assumed, .. } = found;
         Self {
-            shear_displacement_radius,
-            slip_radius,
-            normal_stress_from,
+            head,
             columns,
             events: events.iter().map(EventReply::from).collect(),
             warnings,
             assumed: assumed.map(|assumed| assumed.into_iter().map(AssumedReply::from).collect()),
         }
+    }
+}
+
+/// What holds for all samples: in every form of the answer.
+#[derive(Debug, Clone, Copy, Serialize, ToSchema)]
+#[schema(as = TrackHead)]
+pub(crate) struct HeadReply {
+    /// Circle on which the shear displacement was counted: shearing or rim.
+    #[schema(example = "shearing")]
+    shear_displacement_radius: &'static str,
+    /// Circle on which the slip was counted: rim, shearing or lug_tip.
+    #[schema(example = "rim")]
+    slip_radius: &'static str,
+    /// What the normal stress follows from: the pressure–sinkage law of the soil, or the load, which was known beside the sinkage.
+    #[schema(example = "soil")]
+    normal_stress_from: &'static str,
+}
+
+impl HeadReply {
+    pub(crate) fn of(found: &FoundTrack) -> Self {
+        let (shear_displacement_radius, slip_radius) = words(found.circles);
+        Self { shear_displacement_radius, slip_radius, normal_stress_from: found.normal_stress_from.name() }
+    }
+
+    /// Each by its name.
+    pub(crate) fn named(self) -> [(&'static str, &'static str); 3] {
+        let Self { shear_displacement_radius, slip_radius, normal_stress_from } = self;
+        [
+            ("shear_displacement_radius", shear_displacement_radius),
+            ("slip_radius", slip_radius),
+            ("normal_stress_from", normal_stress_from),
+        ]
     }
 }
 

@@ -1,6 +1,8 @@
 //! The request of `/v1/track`.
 
-use terramechanics::{KnownSinkage, Method, Operation, ShearLaw, Sinkage, Thresholds, Tracker, WheelOnSoil};
+use terramechanics::{
+    Braking, KnownSinkage, Method, Operation, ShearLaw, Sinkage, Soil, SoilParams, Thresholds, Tracker, WheelOnSoil,
+};
 use terramechanics_identification::RunningStrength;
 use terramechanics_reading::{
     Alternative, Either, Field, FieldFault, Node, Number, Object, OneOf, Reader, Unknown, Word, collected,
@@ -8,17 +10,22 @@ use terramechanics_reading::{
 
 use super::plan::{self, BesideColumns, TrackPlan};
 use super::samples::{self, COLUMNS, Samples};
-use crate::request::assume::accepted_by;
+use crate::request::assume::{ASSUME, accepted_by};
 use crate::request::circles::CIRCLES;
 use crate::request::laws::field_or_default;
-use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
+use crate::request::method::{self, BRAKING, BRAKING_FIELD, LAMBDAS, METHOD, METHOD_FIELD, STRESSES};
 use crate::request::sinkage::{LOAD, SLIP_SINKAGE, STATIC_SINKAGE, law_beside_static, of_known};
-use crate::request::soil::Needs;
-use crate::request::system::{self, SYSTEM};
+use crate::request::soil::{FoundSoil, Needs};
+use crate::request::system::{self, CONTACT, SOIL, WHEEL};
 use crate::request::{Accepted, Documented, Request, operation};
 use crate::series::{ExtraColumns, Layout};
 use crate::words::HINTS;
 
+const OPTIONAL_SOIL: Field<&Object> = Field {
+    meaning: "The soil; not needed where torque, load and a sinkage are known, from which the pull follows by linear stresses.",
+    required: false,
+    ..SOIL
+};
 const NORMAL_LOAD: Field<Number> = Field::new(
     WheelOnSoil::NORMAL_LOAD.name,
     "Vertical load W (N), unless it is a column. Beside a sinkage, measured or static, it takes the place of the soil's sinkage modulus; without one the sinkage is solved so that F_z = W.",
@@ -62,6 +69,8 @@ const THRESHOLDS: Field<&Object> = Field::new("thresholds", "When the wheel coun
 #[derive(Debug, Clone)]
 pub(crate) struct TrackSettings {
     pub(crate) operation: Operation,
+    /// Whether the forces follow from a soil, or from the torque.
+    pub(crate) has_soil: bool,
     /// The sinkage that follows from a static one.
     from_static: Option<KnownSinkage>,
     normal_load: Option<f64>,
@@ -106,9 +115,14 @@ fn settings(object: &Reader<'_>, extra_columns: Option<ExtraColumns>) -> Option<
     // Which columns there are, and so whether the law is needed, may not be known yet: see the plan.
     let needs = method::needs(object);
     let needs = Needs { pressure_sinkage: false, perhaps_pressure_sinkage: needs.pressure_sinkage, ..needs };
-    let system = system::read(object, needs);
+    let has_soil = object.has(&OPTIONAL_SOIL);
+    let bare = || Soil::new(SoilParams::BARE).ok().map(FoundSoil::bare);
+    let system = if has_soil { system::read(object, needs) } else { system::read_on(object, bare(), needs) };
     let found = operation::read_with(object, system, |_, _| Some(kind), method::read);
-    if let (Some(method), Some(soil)) = (&found.method, &found.soil)
+    if !has_soil && !is_free_of_soil(object, found.operation.as_ref()) {
+        return None;
+    }
+    if let (true, Some(method), Some(soil)) = (has_soil, &found.method, &found.soil)
         && !operation::has_its_law(object, method, soil)
     {
         return None;
@@ -118,9 +132,23 @@ fn settings(object: &Reader<'_>, extra_columns: Option<ExtraColumns>) -> Option<
     let from_static = static_sinkage?.map(|static_sinkage| KnownSinkage::FromStatic { static_sinkage, law });
     let operation = Operation { sinkage: from_static.map_or(kind, |known| of_known(known, None)), ..found.operation? };
     let tracker = Tracker::new(operation, thresholds?).map_err(|invalid| object.place().fault(invalid)).ok()?;
+    let tracker = if has_soil { tracker } else { tracker.without_soil() };
     let strength = strength(object, &operation)?;
     let (normal_load, extra_columns) = (normal_load?, extra_columns?);
-    Some(TrackSettings { operation, from_static, normal_load, tracker, strength, extra_columns })
+    Some(TrackSettings { operation, has_soil, from_static, normal_load, tracker, strength, extra_columns })
+}
+
+/// Whether nothing is asked for that needs a soil, where there is none; what is, is reported.
+fn is_free_of_soil(object: &Reader<'_>, operation: Option<&Operation>) -> bool {
+    let has_method = object.has(&METHOD_FIELD);
+    if has_method {
+        object.place_of(&METHOD_FIELD).fault("needs a soil: without one the pull follows from the torque");
+    }
+    let has_two_zones = operation.is_some_and(|operation| operation.system.contact.braking() == Braking::TwoZone);
+    if has_two_zones {
+        object.place_of(&BRAKING_FIELD).fault("needs a soil, whose friction parts the two zones");
+    }
+    !has_method && !has_two_zones
 }
 
 pub(super) type TrackRequest = Documented<TrackCase>;
@@ -128,9 +156,9 @@ pub(super) type TrackRequest = Documented<TrackCase>;
 impl Request for TrackCase {
     const OBJECT: &'static Object = &Object {
         name: "TrackRequest",
-        doc: "A wheel followed over time. The sinkage of a sample is the measured one if there is a column `sinkage_m`; else it follows from `static_sinkage_m`, or is solved for `normal_load_n`. Slip, `static_sinkage_m` and `normal_load_n` together are enough for pull and torque: the load then takes the place of the soil's sinkage modulus.",
+        doc: "A wheel followed over time. The sinkage of a sample is the measured one if there is a column `sinkage_m`; else it follows from `static_sinkage_m`, or is solved for `normal_load_n`. Slip, `static_sinkage_m` and `normal_load_n` together are enough for pull and torque: the load then takes the place of the soil's sinkage modulus. With a measured torque as well no soil is needed: the pull then follows from the torque.",
         groups: &[
-            SYSTEM,
+            &[&WHEEL, &OPTIONAL_SOIL, &CONTACT, &ASSUME],
             CIRCLES,
             &[&STATIC_SINKAGE, &SLIP_SINKAGE, &NORMAL_LOAD],
             METHOD,
@@ -155,6 +183,7 @@ impl Request for TrackCase {
             static_sinkage: object.has(&STATIC_SINKAGE),
             normal_load: object.has(&NORMAL_LOAD),
             strength: object.has(&STRENGTH),
+            soil: object.has(&OPTIONAL_SOIL),
             law: settings.as_ref().is_none_or(TrackSettings::has_law),
         };
         plan::check_columns(samples::layout(&columns), beside, object.place());
@@ -188,6 +217,7 @@ impl TrackSettings {
             static_sinkage: from_static.is_some(),
             normal_load: normal_load.is_some(),
             strength: strength.is_some(),
+            soil: self.has_soil,
             law: self.has_law(),
         };
         collected(&HINTS, |place| {

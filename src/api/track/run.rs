@@ -3,19 +3,20 @@
 use std::time::Instant;
 
 use axum::body::Bytes;
-use terramechanics::{Sample, Tracker};
+use terramechanics::{NormalStressFrom, Sample, Tracker};
 use terramechanics_identification::RunningStrength;
 
 use super::found::FoundTrack;
 use super::plan::TrackPlan;
 use super::reply::TrackReply;
 use super::request::{TrackCase, TrackSettings};
-use super::samples::{MOST_IN_COLUMNS, Samples};
-use super::table::{RowFormat, Table};
+use super::samples::Samples;
+use super::table::Table;
 use crate::compute::SLICE;
 use crate::extract::SeriesForm;
 use crate::problem::Problem;
 use crate::quantity::{Beside, Row as Cells, SampleLists};
+use crate::reply::{MOST_IN_COLUMNS, RowFormat};
 use crate::series::{Read, Reader, Row, Unreadable};
 use crate::stream::{PIECE, Progress, Work};
 use terramechanics_reading::{Assumption, FieldFault};
@@ -85,7 +86,8 @@ impl Run {
         let Some(layout) = layout else { return Ok(()) };
         let plan = self.settings.plan(layout).map_err(Problem::Invalid)?;
         let strength = self.settings.strength;
-        let beside = Beside { coupled: plan.is_coupled(), strength: strength.is_some() };
+        let under_load = self.settings.has_soil && plan.normal_stress_from() == NormalStressFrom::Load;
+        let beside = Beside { coupled: plan.is_coupled(), under_load, strength: strength.is_some() };
         let sink = match self.form {
             SeriesForm::Json => Sink::Columns(SampleLists::with(beside, rows)),
             SeriesForm::Csv => Sink::Rows(Table::new(RowFormat::Csv, beside)),
@@ -194,7 +196,7 @@ impl Work for Run {
 
     fn broken(&self, problem: &Problem, output: &mut Vec<u8>) {
         if let Some(Started { sink: Sink::Rows(table), .. }) = &self.started {
-            table.broken(&problem.detail(), output);
+            table.format().broken(&problem.detail(), output);
         }
     }
 }

@@ -3,10 +3,8 @@
 use terramechanics::Channel;
 use terramechanics_reading::{Field, Number, Numbers, Object, Reader, group};
 
+use crate::reply::MOST_IN_COLUMNS;
 use crate::series::{Column, Layout, Row};
-
-/// Samples that a JSON body may have, and rows of an answer in columns; there is no limit to those of the other forms.
-pub(super) const MOST_IN_COLUMNS: usize = 100_000;
 
 const fn signal(column: Column, unit: &'static str, meaning: &'static str) -> Field<Numbers> {
     let numbers = Numbers::new(Number::any(unit), 1, MOST_IN_COLUMNS).with_gaps();

@@ -1,23 +1,12 @@
 //! Results of a run, row by row, with an end that tells a whole answer from one that was cut.
 
-use std::io::Write;
-
 use serde::Serialize;
 
 use super::found::FoundTrack;
-use super::reply::EventReply;
+use super::reply::{EventReply, HeadReply};
 use crate::quantity::{Beside, Cell, Digits, Row, SampleCells, line};
-use crate::reply::AssumedReply;
+use crate::reply::{AssumedReply, RowFormat, comment, object};
 use crate::warning::Warning;
-
-/// A format that is written row by row.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum RowFormat {
-    /// A header, a row per sample, and comments after `#` at the end; the last comment is `#end,<rows>`.
-    Csv,
-    /// An object per sample; at the end an object with `end`.
-    Ndjson,
-}
 
 /// Writes the rows of a run.
 #[derive(Debug, Clone)]
@@ -27,6 +16,11 @@ pub(crate) struct Table {
 }
 
 impl Table {
+    /// The format.
+    pub(crate) fn format(&self) -> RowFormat {
+        self.format
+    }
+
     pub(crate) fn new(format: RowFormat, beside: Beside) -> Self {
         Self { format, cells: SampleCells::with(beside) }
     }
@@ -46,10 +40,15 @@ impl Table {
     }
 
     /// The lines after the last row of a whole answer.
-    pub(crate) fn end(&self, FoundTrack { rows, events, warnings, assumed, .. }: &FoundTrack, out: &mut Vec<u8>) {
+    pub(crate) fn end(&self, found: &FoundTrack, out: &mut Vec<u8>) {
+        let FoundTrack { rows, events, warnings, assumed, .. } = found;
+        let head = HeadReply::of(found);
         let events: Vec<EventReply> = events.iter().map(EventReply::from).collect();
         match self.format {
             RowFormat::Csv => {
+                for (name, word) in head.named() {
+                    comment(&["setting", name, word], out);
+                }
                 for warning in warnings {
                     comment(&["warning", warning.code(), &warning.detail()], out);
                 }
@@ -63,16 +62,8 @@ impl Table {
             }
             RowFormat::Ndjson => {
                 let assumed = assumed.clone().map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
-                json(&Last { end: true, rows: *rows, warnings, events: &events, assumed }, out);
+                object(&Last { end: true, rows: *rows, head, warnings, events: &events, assumed }, out);
             }
-        }
-    }
-
-    /// The line after the last row where the run ended too early.
-    pub(crate) fn broken(&self, problem: &str, out: &mut Vec<u8>) {
-        match self.format {
-            RowFormat::Csv => comment(&["error", problem], out),
-            RowFormat::Ndjson => json(&serde_json::json!({ "error": problem }), out),
         }
     }
 }
@@ -82,18 +73,10 @@ impl Table {
 struct Last<'a> {
     end: bool,
     rows: u64,
+    #[serde(flatten)]
+    head: HeadReply,
     warnings: &'a [Warning],
     events: &'a [EventReply],
     #[serde(skip_serializing_if = "Option::is_none")]
     assumed: Option<Vec<AssumedReply>>,
-}
-
-/// A comment of several cells; the last may be any text without a line end.
-fn comment(cells: &[&str], out: &mut Vec<u8>) {
-    let _ = writeln!(out, "#{}", cells.join(",").replace(['\n', '\r'], " "));
-}
-
-fn json<T: Serialize>(value: &T, out: &mut Vec<u8>) {
-    let _ = serde_json::to_writer(&mut *out, value);
-    out.push(b'\n');
 }

@@ -3,7 +3,7 @@
 use terramechanics::{Caution, LargestSlope, OnSlope, SlopeLimit, Vehicle, VehicleError};
 
 use super::refusal;
-use super::request::{Slopes, VehicleCase};
+use super::request::{Slopes, VehicleCase, word};
 use crate::compute::Pace;
 use crate::problem::Problem;
 use crate::reply::method_name;
@@ -25,6 +25,7 @@ pub(crate) struct FoundVehicle {
     pub(crate) largest: Option<f64>,
     pub(crate) gravity: f64,
     pub(crate) method: &'static str,
+    pub(crate) drive: &'static str,
     pub(crate) has_statics: bool,
     pub(crate) velocity: Option<f64>,
     /// Place and number of the wheels of each station.
@@ -64,6 +65,7 @@ pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, P
         largest: largest.ok().map(|largest| largest.slope),
         gravity: params.gravity,
         method: method_name(&params.model.method),
+        drive: word(params.drive),
         has_statics: vehicle.has_statics(),
         velocity: *velocity,
         stations: params.stations.iter().map(|station| (station.position, station.count)).collect(),

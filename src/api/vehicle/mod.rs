@@ -1,23 +1,25 @@
-//! `POST /v1/vehicle`.
+//! `POST /v1/vehicle`, and its twin for wheels that are alike.
 
 mod found;
 mod refusal;
 mod reply;
 mod request;
+mod row;
 
 use axum::extract::State;
 use axum::response::Response;
 use serde_json::{Value, json};
 
-use super::responses::{InvalidBody, Limits};
+use super::responses::{InvalidBody, InvalidQuery, Limits};
 use super::room::{Room, answer};
 use crate::compute::{Cost, Pace};
-use crate::extract::{Format, Input};
+use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::state::Service;
 use reply::VehicleReply;
 pub(crate) use request::VehicleCase;
 use request::VehicleRequest;
+pub(crate) use row::rover_columns;
 
 impl Room for VehicleCase {
     type Reply = VehicleReply;
@@ -45,7 +47,7 @@ impl Room for VehicleCase {
 
 /// A rover on a slope
 ///
-/// The slip at which all wheels together give the pull that slope and hitch need; loads, forces and torque of each wheel; the energy
+/// The slip at which all wheels together give the pull that slope and hitch need, at one slip or at equal torques; loads, forces and torque of each wheel; the energy
 /// for a metre of way; and the largest slope that the rover climbs. For several slopes the answer has columns. With
 /// `Accept: text/csv` the columns come as a table, of one row for one slope.
 #[utoipa::path(
@@ -59,6 +61,20 @@ pub(crate) async fn vehicle(
     State(service): State<Service>,
     format: Format,
     Input(case): Input<VehicleCase>,
+) -> Result<Response, Problem> {
+    answer(&service, case, format).await
+}
+
+#[utoipa::path(
+    get,
+    path = "/v1/vehicle",
+    tag = "forces",
+    params(VehicleRequest, FormatParameter),
+    responses(InvalidQuery, Limits)
+)]
+pub(crate) async fn vehicle_of_query(
+    State(service): State<Service>,
+    Asked { case, format }: Asked<VehicleCase>,
 ) -> Result<Response, Problem> {
     answer(&service, case, format).await
 }

@@ -19,7 +19,10 @@ fn pointer(error: &VehicleError) -> &'static str {
         VehicleError::NotClimbed { .. } => "/slope_rad",
         VehicleError::NoOrder => "/rut",
         VehicleError::RutByOtherMethod => "/method",
-        VehicleError::NoWheels => "/stations",
+        VehicleError::NoWheels | VehicleError::NothingTogether => "/stations",
+        VehicleError::RutAtEqualTorque => "/drive",
+        VehicleError::HitchWithoutStatics => "/hitch_height_m",
+        VehicleError::TorqueNotHeld { .. } => "",
         VehicleError::Invalid(_) => "",
     }
 }
@@ -31,6 +34,7 @@ pub(super) fn fault(error: &VehicleError, have_own_soil: &[bool]) -> FieldFault 
         VehicleError::Wheel { station, .. } if have_own_soil.get(*station) == Some(&true) && own.starts_with("/soil") => {
             format!("/stations/{station}{own}")
         }
+        VehicleError::TorqueNotHeld { station, .. } => format!("/stations/{station}/torque_n_m"),
         _ => own.to_owned(),
     };
     let fault = FieldFault::new(place, error);

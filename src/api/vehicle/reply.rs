@@ -30,6 +30,8 @@ struct Summary {
     gravity_m_s2: f64,
     /// The method by which the forces were found.
     method: &'static str,
+    /// What the wheels that turn together have in common: `one_slip` or `equal_torque`.
+    drive: &'static str,
     /// Where the loads come from: `statics` of the centre of mass, or `equal`.
     loads_from: &'static str,
 }
@@ -40,7 +42,7 @@ struct Summary {
 pub(crate) struct OnOneSlope {
     /// Slope α (rad).
     slope_rad: f64,
-    /// Slip ratio s (–) of all wheels; null where no slip gives the pull.
+    /// Slip ratio s (–) of the wheels that turn together, at equal torques the largest of theirs; null where no slip gives the pull.
     #[serde(serialize_with = "or_null")]
     #[schema(value_type = Option<f64>)]
     slip: f64,
@@ -87,6 +89,8 @@ pub(crate) struct OnOneSlope {
 struct WheelReply {
     /// Place x (m) along the rover; null where it is not known.
     x_m: Option<f64>,
+    /// Slip ratio s (–).
+    slip: f64,
     /// Load (N).
     normal_load_n: f64,
     /// Sinkage z (m) below the undisturbed surface.
@@ -125,9 +129,14 @@ pub(crate) struct OfSlopes;
 
 type SlopeColumns = Columns<OfSlopes>;
 
-static COLUMNS: [About; 12] = [
+pub(super) static COLUMNS: [About; 12] = [
     About::new("slope_rad", "α", "rad", "slope, positive uphill"),
-    About::new("slip", "s", "1", "slip ratio of all wheels; null where no slip gives the pull, like all that follows from it"),
+    About::new(
+        "slip",
+        "s",
+        "1",
+        "slip ratio of the wheels that turn together, at equal torques the largest of theirs; null where no slip gives the pull, like all that follows from it",
+    ),
     About::new("climbs", "", "1", "1 where the rover climbs at a slip up to the limit, else 0"),
     About::new("needed_pull_n", "m g sin α + D", "N", "pull that slope and hitch need"),
     About::new("longitudinal_force_n", "Σ F_x", "N", "longitudinal force of all wheels"),
@@ -155,7 +164,7 @@ impl Shape for OfSlopes {
 }
 
 /// The values of a slope in the order of the columns; NaN where there is none.
-fn row(found: &FoundSlope, velocity: Option<f64>) -> [f64; COLUMNS.len()] {
+pub(super) fn row(found: &FoundSlope, velocity: Option<f64>) -> [f64; COLUMNS.len()] {
     let of = |value: &dyn Fn(&Driven) -> f64| found.on.as_ref().map_or(f64::NAN, |on| value(&on.driven));
     let velocity = velocity.unwrap_or(f64::NAN);
     let over_wheels = |driven: &Driven, value: fn(&VehicleWheel) -> f64, choose: fn(f64, f64) -> f64| {
@@ -182,6 +191,7 @@ fn wheels(found: &FoundVehicle, driven: &Driven) -> Vec<WheelReply> {
     let of_station = |(&(position, count), wheel): (&(Option<f64>, u32), &VehicleWheel)| {
         let reply = WheelReply {
             x_m: position,
+            slip: wheel.slip.ratio(),
             normal_load_n: wheel.load,
             sinkage_m: wheel.sinkage,
             rut_depth_m: wheel.rut_depth,
@@ -205,6 +215,7 @@ impl From<FoundVehicle> for VehicleReply {
             largest_slope_rad: found.largest,
             gravity_m_s2: found.gravity,
             method: found.method,
+            drive: found.drive,
             loads_from: if found.has_statics { "statics" } else { "equal" },
         };
         match (found.is_one, found.slopes.first(), rows.first()) {

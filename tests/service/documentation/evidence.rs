@@ -82,13 +82,14 @@ fn the_errors_beside_those_of_others_are_those_of_the_service() {
 struct Part {
     set: Value,
     rows: Vec<usize>,
+    contact: Value,
 }
 
 impl Part {
     fn of(id: &str, is_meant: impl Fn(usize) -> bool) -> Self {
         let set = get(&format!("/v1/validation/{id}")).ok();
         let rows = (0..set["points"].as_u64().expect("points") as usize).filter(|row| is_meant(*row)).collect();
-        Self { set, rows }
+        Self { set, rows, contact: json!({"rule": "midpoint"}) }
     }
 
     fn column(&self, pointer: &str) -> Vec<f64> {
@@ -97,7 +98,7 @@ impl Part {
     }
 
     fn request(&self, soil: &Value) -> Value {
-        let mut body = json!({"wheel": self.set["wheel"], "soil": soil});
+        let mut body = json!({"wheel": self.set["wheel"], "soil": soil, "contact": self.contact});
         if self.set["slip_radius"].is_string() {
             body["slip_radius"] = self.set["slip_radius"].clone();
         }
@@ -131,6 +132,26 @@ impl Part {
         });
         (squares.sum::<f64>() / slips.len() as f64).sqrt()
     }
+}
+
+/// The same 27 points with published coefficients of the angle of maximum stress.
+#[test]
+fn the_errors_of_the_rules_of_contact_are_those_of_the_service() {
+    let wong_reece = |c1: f64, c2: f64| json!({"rule": "wong_reece", "c1": c1, "c2": c2});
+    let rules = [
+        ("midway, the default", json!({"rule": "midpoint"})),
+        ("c1 = 0.43, c2 = 0.32: compact sand", wong_reece(0.43, 0.32)),
+        ("c1 = 0.18, c2 = 0.32: loose sand", wong_reece(0.18, 0.32)),
+        ("c1 = 0.4, c2 = 0.2: as RoverDevKit", wong_reece(0.4, 0.2)),
+    ];
+    let row = |(name, contact): &(&str, Value)| {
+        let parts = SHARED.map(|id| Part { contact: contact.clone(), ..Part::of(id, |_| true) });
+        let points = parts.each_ref().map(|part| part.rows.len() as f64);
+        let errors = parts.map(|part| part.error(&part.set["soil"]));
+        let all = errors.iter().copied().chain([pooled(&errors, &points)]);
+        [(*name).to_owned()].into_iter().chain(all.map(|error| format!("{error:.3}"))).collect::<Vec<_>>()
+    };
+    assert_table("## What hangs on the angle of maximum stress", &rules.iter().map(row).collect::<Vec<_>>());
 }
 
 /// Fitted on one part of Ding's tests, scored on the other: half of the slips of a wheel, or all of the other wheel on the same

@@ -31,6 +31,7 @@ const BEAM_LAW: Tagged = Tagged {
     suffix: "Beam",
     variants: || &LAWS,
     also: &[],
+    without_word: None,
 };
 const BEAM: Field<&Tagged> = Field::required("beam", "The beam.", &BEAM_LAW);
 

@@ -11,6 +11,7 @@
 //! * A wheel that the soil does not carry at any sinkage up to the axle has no forces and counts as entrapped. A measured sinkage
 //!   beyond the axle has no forces either, but the likely cause is a wrong unit, so it is no event.
 //! * Only the coupled form needs the measured torque and load. Where one is missing, only the pull by that form is missing.
+//! * Without a soil the pull follows from the torque, the load and the sinkage alone ([`Tracker::without_soil`]).
 
 mod findings;
 mod reached;
@@ -21,6 +22,7 @@ mod tally;
 pub use sample::{Channel, Measured, Sample, SampleMotion, Status, TrackRow};
 pub use tally::{CautionTally, CulpritTally, Tally};
 
+use crate::coupled::coupled_cautions;
 use crate::error::Error;
 use crate::events::{Event, EventKind, Thresholds, Watch};
 use crate::fault::InvalidInput;
@@ -38,6 +40,8 @@ use tally::CompensatedSum;
 #[derive(Debug, Clone)]
 pub struct Tracker {
     operation: Operation,
+    /// Whether the forces follow from the soil, or from the torque.
+    has_soil: bool,
     entrapment_sinkage: f64,
     stall_slip: f64,
     stall: Watch,
@@ -106,6 +110,7 @@ impl Tracker {
         thresholds.check()?;
         Ok(Self {
             operation,
+            has_soil: true,
             entrapment_sinkage: thresholds.entrapment_sinkage_ratio * operation.system.wheel.radius(),
             stall_slip: thresholds.stall_slip,
             stall: Watch::new(EventKind::Stall, thresholds.stall_time),
@@ -125,6 +130,14 @@ impl Tracker {
             standstill: None,
             backward: false,
         })
+    }
+
+    /// The same without a soil: pull and normal force of a sample follow from its torque, its load and its sinkage by linear stresses
+    /// (`pull_from_torque.rs`), its torque is the one measured, and a sample without one of them has no result. The soil and the method
+    /// of the operation have no influence.
+    #[must_use]
+    pub fn without_soil(self) -> Self {
+        Self { has_soil: false, ..self }
     }
 
     /// The row of the next sample.
@@ -191,7 +204,15 @@ impl Tracker {
             None => {}
         }
         self.backward |= heading == Heading::Backward;
-        CautionTally::count(&mut self.cautions, index, cautions_with_sinkage(&self.operation, &sinkage, &outcome));
+        if self.has_soil {
+            CautionTally::count(&mut self.cautions, index, cautions_with_sinkage(&self.operation, &sinkage, &outcome));
+        } else {
+            CautionTally::count(
+                &mut self.cautions,
+                index,
+                coupled_cautions(&self.operation.system, outcome.slip, outcome.sinkage),
+            );
+        }
         row
     }
 

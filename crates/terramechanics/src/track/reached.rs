@@ -2,8 +2,10 @@
 
 use super::refusal::{Refused, positive, present};
 use super::{Channel, Measured, Sample, SampleMotion, Status, TrackRow, Tracker};
+use crate::contact::Angles;
 use crate::coupled::Coupled;
 use crate::error::Error;
+use crate::forces::{Components, Forces, ShapeIntegrals};
 use crate::motion::{Heading, Motion};
 use crate::operating_point::{KnownSinkage, Sinkage};
 use crate::outcome::Outcome;
@@ -17,6 +19,16 @@ pub(super) struct Reached {
     pub(super) outcome: Outcome,
     pub(super) heading: Heading,
     pub(super) coupled: Option<Result<CoupledForces, Uncoupled>>,
+}
+
+/// What is found at a sample, of the wheel moving forward.
+struct Found {
+    forces: Forces,
+    outcome: Outcome,
+    /// NaN where there is none, like the next.
+    sinkage_modulus: f64,
+    granular_stiffness: f64,
+    coupled: Option<Result<CoupledForces, Uncoupled>>,
 }
 
 /// Why there is no pull by the coupled form.
@@ -42,19 +54,18 @@ impl Tracker {
                 positive(Channel::NormalLoad, load)?;
             }
         }
-        let unsolved = |error| Refused { status: Status::NoSolution, error: Some(error), culprit: None };
-        let point = self.operation.with_sinkage(motion.slip, &sample.sinkage).map_err(unsolved)?;
-        let forces = point.forces.heading(motion.heading);
+        let found = if self.has_soil { self.on_soil(sample, motion)? } else { self.by_torque(sample, motion)? };
+        let forces = found.forces.heading(motion.heading);
         let (wheel, circle) = (&self.operation.system.wheel, self.operation.system.contact.circles().slip);
         let power = angular.map_or(f64::NAN, |angular| forces.torque * angular);
         if power.is_infinite() {
-            return Err(unsolved(Error::NotFinite));
+            return Err(Refused::unsolved(Error::NotFinite));
         }
         let efficiency = || forces.tractive_efficiency(wheel, circle, motion.slip, motion.heading);
         let row = TrackRow {
             time: sample.time,
             slip: *slip,
-            sinkage: point.sinkage,
+            sinkage: found.outcome.sinkage,
             longitudinal: forces.longitudinal,
             normal: forces.normal,
             torque: forces.torque,
@@ -63,10 +74,51 @@ impl Tracker {
             power,
             energy: f64::NAN,
             longitudinal_coupled: f64::NAN,
+            sinkage_modulus: found.sinkage_modulus,
+            granular_stiffness: found.granular_stiffness,
             status: if motion.at_rest { Status::Static } else { Status::Ok },
         };
-        let coupled = sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured));
-        Ok(Reached { row, outcome: Outcome::from(&point), heading: motion.heading, coupled })
+        Ok(Reached { row, outcome: found.outcome, heading: motion.heading, coupled: found.coupled })
+    }
+
+    /// The forces by the method, on the soil.
+    fn on_soil(&self, sample: &Sample, motion: Motion) -> Result<Found, Refused> {
+        let point = self.operation.with_sinkage(motion.slip, &sample.sinkage).map_err(Refused::unsolved)?;
+        Ok(Found {
+            forces: point.forces,
+            outcome: Outcome::from(&point),
+            sinkage_modulus: point.sinkage_modulus().unwrap_or(f64::NAN),
+            granular_stiffness: point.granular_stiffness.unwrap_or(f64::NAN),
+            coupled: sample.measured.map(|measured| self.coupled(motion, point.sinkage, measured).map(|(_, forces)| forces)),
+        })
+    }
+
+    /// The forces of the linear stresses that the torque and the load show, without a soil.
+    fn by_torque(&self, sample: &Sample, motion: Motion) -> Result<Found, Refused> {
+        let Sinkage::UnderLoad { sinkage, .. } = sample.sinkage else { return Err(Refused::missing(Channel::NormalLoad)) };
+        let Some(measured) = sample.measured else { return Err(Refused::missing(Channel::Torque)) };
+        present(Channel::Torque, measured.torque)?;
+        let sinkage = sinkage.at(motion.slip);
+        let (angles, coupled) = self.coupled(motion, sinkage, measured).map_err(|error| match error {
+            Uncoupled::Missing { .. } => Refused::missing(Channel::NormalLoad),
+            Uncoupled::Unsolved(error) => Refused::unsolved(error),
+        })?;
+        let wheel = &self.operation.system.wheel;
+        let ShapeIntegrals { a, b, .. } = ShapeIntegrals::of(&angles);
+        let x = self.operation.model.normal_stress_radius.of(wheel) * wheel.width() * coupled.peak_normal_stress;
+        let y = wheel.shearing_radius() * wheel.width() * coupled.peak_shear_stress;
+        let components = Components { traction: a * y, resistance: b * x, normal_support: a * x, shear_support: b * y };
+        let forces = Forces::new(components, coupled.torque, 0.0);
+        let outcome = Outcome {
+            slip: motion.slip,
+            sinkage,
+            normal: Some(forces.normal),
+            integration_error: 0.0,
+            mobilised_share: None,
+            standstill_normal: None,
+        };
+        let (sinkage_modulus, granular_stiffness) = (f64::NAN, f64::NAN);
+        Ok(Found { forces, outcome, sinkage_modulus, granular_stiffness, coupled: Some(Ok(coupled)) })
     }
 
     /// Refuses a measured sinkage (m) that is missing or that no contact has.
@@ -104,7 +156,7 @@ impl Tracker {
     }
 
     /// The coupled forms from the measured torque and load, for the wheel moving forward.
-    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<CoupledForces, Uncoupled> {
+    fn coupled(&self, motion: Motion, sinkage: f64, measured: Measured) -> Result<(Angles, CoupledForces), Uncoupled> {
         let (torque, load) = (measured.torque.is_nan(), measured.normal_load.is_nan());
         if torque || load {
             return Err(Uncoupled::Missing { torque, load });
@@ -114,7 +166,6 @@ impl Tracker {
             torque: Some(motion.heading.as_forward(measured.torque)),
             normal_stress_radius: self.operation.model.normal_stress_radius,
         };
-        let found = known.at(&self.operation.system, motion.slip, sinkage);
-        found.map(|(_, forces)| forces).map_err(Uncoupled::Unsolved)
+        known.at(&self.operation.system, motion.slip, sinkage).map_err(Uncoupled::Unsolved)
     }
 }

@@ -16,6 +16,10 @@ impl Refused {
         Self { status: Status::MissingValue, error: None, culprit: Some((channel, f64::NAN)) }
     }
 
+    pub(super) fn unsolved(error: Error) -> Self {
+        Self { status: Status::NoSolution, error: Some(error), culprit: None }
+    }
+
     pub(super) fn out_of_range(channel: Channel, value: f64) -> Self {
         Self { status: Status::OutOfRange, error: None, culprit: Some((channel, value)) }
     }

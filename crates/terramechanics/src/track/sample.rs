@@ -140,6 +140,10 @@ pub struct TrackRow {
     pub energy: f64,
     /// Longitudinal force (N) by Ding's coupled form from the measured torque and load.
     pub longitudinal_coupled: f64,
+    /// Sinkage modulus K_s (Pa/mᴺ): the soil's, or the one that a known load shows.
+    pub sinkage_modulus: f64,
+    /// Granular stiffness ξ (N/m³) by the resistive force method: the soil's, or the one that a known load shows.
+    pub granular_stiffness: f64,
     /// Whether there is a result.
     pub status: Status,
 }
@@ -160,6 +164,8 @@ impl TrackRow {
             power: none,
             energy: none,
             longitudinal_coupled: none,
+            sinkage_modulus: none,
+            granular_stiffness: none,
             status,
         }
     }

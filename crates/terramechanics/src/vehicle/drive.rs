@@ -1,6 +1,6 @@
-//! What do the wheels of a rover give together at one slip?
+//! What do the wheels of a rover give together?
 
-use super::{Vehicle, VehicleError, rut};
+use super::{Drive, Told, Vehicle, VehicleError, rut};
 use crate::caution::Caution;
 use crate::error::Error;
 use crate::forces::Forces;
@@ -12,6 +12,8 @@ use crate::slip::Slip;
 /// One of the equal wheels of a station at work.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VehicleWheel {
+    /// Slip s (–).
+    pub slip: Slip,
     /// Load (N).
     pub load: f64,
     /// Sinkage z (m) below the undisturbed surface.
@@ -38,10 +40,10 @@ impl VehicleWheel {
     }
 }
 
-/// A rover at one slip.
+/// A rover that drives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Driven {
-    /// The slip of all wheels.
+    /// The slip of the wheels that turn together; at equal torques the largest of theirs.
     pub slip: Slip,
     /// One wheel of each station.
     pub wheels: Vec<VehicleWheel>,
@@ -64,11 +66,20 @@ impl Driven {
 }
 
 impl Vehicle {
-    /// The rover at `slip` with a load (N) on each wheel of each station, see [`Vehicle::loads`].
+    /// The rover whose wheels that turn together have `slip`, at equal torques as their largest, with a load (N) on each wheel of each
+    /// station, see [`Vehicle::loads`].
     ///
     /// # Errors
-    /// [`VehicleError::Wheel`] with the first station whose wheel the model refuses.
+    /// [`VehicleError::Wheel`] with the first station whose wheel the model refuses; [`VehicleError::TorqueNotHeld`].
     pub fn at(&self, slip: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
+        self.beside(&self.told(loads)?, slip, loads)
+    }
+
+    /// The same with those wheels that are told how to turn, as far as they are known.
+    pub(super) fn beside(&self, told: &Told, slip: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
+        if self.params.drive == Drive::EqualTorque {
+            return self.at_equal_torque(told, slip, loads);
+        }
         let stations = &self.params.stations;
         let mut found: Vec<Option<VehicleWheel>> = vec![None; stations.len()];
         // Depth down to which each station has pressed its rut.
@@ -76,37 +87,46 @@ impl Vehicle {
         for &(station, before) in &self.order {
             let Some(&load) = loads.get(station) else { return Err(VehicleError::NoWheels) };
             let depth = before.map_or(0.0, |before| pressed[before]);
-            let wheel = self.wheel(station, slip, load, depth).map_err(|error| VehicleError::Wheel { station, error })?;
+            let wheel = match told[station] {
+                Some(wheel) => wheel,
+                None => self.turned(station, slip, load, depth)?,
+            };
             pressed[station] = depth.max(wheel.sinkage);
             found[station] = Some(wheel);
         }
-        let wheels: Vec<VehicleWheel> = found.into_iter().flatten().collect();
+        Ok(self.driven(slip, found.into_iter().flatten().collect()))
+    }
+
+    /// The sums over all wheels.
+    pub(super) fn driven(&self, slip: Slip, wheels: Vec<VehicleWheel>) -> Driven {
+        let stations = &self.params.stations;
         let sum = |value: &dyn Fn(&VehicleWheel) -> f64| {
             stations.iter().zip(&wheels).map(|(station, wheel)| f64::from(station.count) * value(wheel)).sum()
         };
-        Ok(Driven {
+        Driven {
             slip,
             pull: sum(&|wheel| wheel.forces.longitudinal),
             normal: sum(&|wheel| wheel.forces.normal),
             torque: sum(&|wheel| wheel.forces.torque),
             energy_per_metre: sum(&VehicleWheel::energy_per_metre),
             wheels,
-        })
+        }
     }
 
     /// A wheel of a station, in a rut that was pressed down to `pressed` (m), or in none.
-    fn wheel(&self, station: usize, slip: Slip, load: f64, pressed: f64) -> Result<VehicleWheel, Error> {
+    pub(super) fn wheel(&self, station: usize, slip: Slip, load: f64, pressed: f64) -> Result<VehicleWheel, Error> {
         let of = &self.params.stations[station];
         let travel_per_turn = of.system.contact.circles().travel_per_turn(&of.system.wheel, slip);
         match self.params.unloading {
             Some(unloading) if pressed > 0.0 => {
                 let found = rut::in_rut(&self.params.model, of, &unloading, (slip, load, pressed))?;
                 let (sinkage, rut_depth) = (found.floor + found.sinkage, found.floor);
-                Ok(VehicleWheel { load, sinkage, rut_depth, forces: found.forces, travel_per_turn })
+                Ok(VehicleWheel { slip, load, sinkage, rut_depth, forces: found.forces, travel_per_turn })
             }
             _ => {
                 let point = self.operation(station, load).at(slip)?;
-                Ok(VehicleWheel { load, sinkage: point.sinkage, rut_depth: 0.0, forces: point.forces, travel_per_turn })
+                let (sinkage, forces) = (point.sinkage, point.forces);
+                Ok(VehicleWheel { slip, load, sinkage, rut_depth: 0.0, forces, travel_per_turn })
             }
         }
     }
@@ -120,7 +140,7 @@ impl Vehicle {
     pub fn cautions(&self, driven: &Driven) -> impl Iterator<Item = (usize, Caution)> {
         driven.wheels.iter().enumerate().flat_map(move |(station, wheel)| {
             let outcome = Outcome {
-                slip: driven.slip,
+                slip: wheel.slip,
                 sinkage: wheel.sinkage - wheel.rut_depth,
                 normal: Some(wheel.forces.normal),
                 integration_error: wheel.forces.integration_error,

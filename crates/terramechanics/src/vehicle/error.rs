@@ -20,6 +20,25 @@ pub enum VehicleError {
     NoOrder,
     /// Wheels in ruts are computed by the quadrature with one zone of braking only.
     RutByOtherMethod,
+    /// Wheels in ruts are not computed at equal torques, where each wheel would depend on all others.
+    RutAtEqualTorque,
+    /// Every wheel turns at a slip or under a torque of its own: nothing is left to meet the pull.
+    NothingTogether,
+    /// A hitch has a height but the rover no centre of mass, so that its loads are equal whatever the height.
+    HitchWithoutStatics,
+    /// No slip gives the torque that a wheel has to hold.
+    TorqueNotHeld {
+        /// Index of its station.
+        station: usize,
+        /// The torque (N·m).
+        torque: f64,
+        /// The torque that comes nearest (N·m).
+        reached: f64,
+        /// The slip that gives it (–).
+        slip: f64,
+        /// How it lies to the torques of all other slips.
+        nearest: Nearest,
+    },
     /// A wheel would have to pull the rover down: it lifts off.
     Lifted {
         /// Index of its station.
@@ -66,6 +85,21 @@ impl fmt::Display for VehicleError {
             Self::RutByOtherMethod => {
                 write!(f, "wheels in ruts are computed by the quadrature with one zone of braking only")
             }
+            Self::RutAtEqualTorque => write!(f, "wheels in ruts are not computed at equal torques"),
+            Self::NothingTogether => {
+                write!(f, "at least one wheel has to be without a slip or torque of its own, so that its slip can meet the pull")
+            }
+            Self::HitchWithoutStatics => {
+                write!(f, "has an effect only beside a centre of mass, without which the loads are equal")
+            }
+            Self::TorqueNotHeld { station, torque, reached, slip, nearest } => write!(
+                f,
+                "no slip of the wheel of station {station} gives a torque of {} N·m: {} is {} N·m, at a slip of {}",
+                Digits(torque),
+                nearest.in_words(),
+                Digits(reached),
+                Digits(slip)
+            ),
             Self::Lifted { station, load, slope } => write!(
                 f,
                 "the wheel of station {station} lifts off on a slope of {} rad: the others could hold the rover only if the ground \

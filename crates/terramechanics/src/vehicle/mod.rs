@@ -1,6 +1,6 @@
 //! Which slope does a rover climb, and at what slip, torque and energy?
 //!
-//! A rigid body on n wheels drives straight up a slope α, all wheels at one slip s, and pulls D at its hitch:
+//! A rigid body on n wheels drives straight up a slope α, its wheels at one slip s, and pulls D at its hitch:
 //!
 //! | sum | here |
 //! |---|---|
@@ -9,19 +9,23 @@
 //! | the largest α at which a slip up to a limit gives the second sum | [`Vehicle::largest_slope`] |
 //!
 //! Each wheel stands on its own soil, carries its own load, and is computed like a single one: the sinkage that carries the load, then
-//! the forces. Where the rover has stations, a wheel may run in the rut of the one before (`rut.rs`).
+//! the forces. Where the rover has stations, a wheel may run in the rut of the one before (`rut.rs`). Wheels may also turn at equal
+//! torques, or some of them at a slip or under a torque of their own (`turning.rs`).
 //!
 //! The soils lie in the gravity of the rover: their weights change with it, their moduli do not (`gravity.rs`).
 //!
 //! Left out: the reaction of the torques on the body, the change of its pitch with the sinkages, suspension that evens out loads, and
 //! all motion across the slope.
 
+mod command;
 mod drive;
 mod error;
 mod loads;
 mod rut;
 mod slope;
+mod turning;
 
+pub use command::{Drive, Turning};
 pub use drive::{Driven, VehicleWheel};
 pub use error::VehicleError;
 pub use rut::Unloading;
@@ -33,6 +37,9 @@ use crate::forces::{ForceModel, Method};
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::rolling::WheelOnSoil;
 
+/// Wheels of stations that turn as they are told whatever the others do.
+type Told = Vec<Option<VehicleWheel>>;
+
 /// Wheels that stand side by side under equal loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
@@ -42,6 +49,8 @@ pub struct Station {
     pub count: u32,
     /// One of the wheels on its soil.
     pub system: WheelOnSoil,
+    /// How they turn.
+    pub turning: Turning,
 }
 
 /// The centre of mass.
@@ -64,6 +73,10 @@ pub struct VehicleParams {
     pub stations: Vec<Station>,
     /// Its centre of mass; without one, all wheels carry the same.
     pub centre_of_mass: Option<CentreOfMass>,
+    /// Height (m) of the hitch above the ground.
+    pub hitch_height: f64,
+    /// What the wheels that turn together have in common.
+    pub drive: Drive,
     /// How the forces are found.
     pub model: ForceModel,
     /// How the soil comes back behind a wheel, where wheels run in the ruts of those before.
@@ -122,10 +135,22 @@ impl Vehicle {
         name: "hitch_pull_n",
         symbol: "D",
         unit: "N",
-        meaning: "Pull that the rover gives at its hitch, along the slope and at the height of the ground.",
+        meaning: "Pull that the rover gives at its hitch, along the slope.",
         requirement: Requirement::Finite,
         least: -1e12,
         most: 1e12,
+        presence: Presence::Default(0.0),
+    };
+
+    /// Height of the hitch.
+    pub const HITCH_HEIGHT: Parameter = Parameter {
+        name: "hitch_height_m",
+        symbol: "h_D",
+        unit: "m",
+        meaning: "Height of the hitch above the ground.",
+        requirement: Requirement::NotNegative,
+        least: 0.0,
+        most: 1e3,
         presence: Presence::Default(0.0),
     };
 
@@ -166,8 +191,16 @@ impl Vehicle {
     };
 
     /// What a rover and its drive are made of, besides its wheels.
-    pub const PARAMETERS: &'static [Parameter] =
-        &[Self::MASS, Self::GRAVITY, Self::SLOPE, Self::HITCH_PULL, Self::SLIP_LIMIT, Self::POSITION, Self::HEIGHT];
+    pub const PARAMETERS: &'static [Parameter] = &[
+        Self::MASS,
+        Self::GRAVITY,
+        Self::SLOPE,
+        Self::HITCH_PULL,
+        Self::HITCH_HEIGHT,
+        Self::SLIP_LIMIT,
+        Self::POSITION,
+        Self::HEIGHT,
+    ];
 
     /// Checks the parts, and takes every soil to the gravity of the rover ([`crate::Soil::in_gravity`]).
     ///
@@ -175,19 +208,31 @@ impl Vehicle {
     /// [`VehicleError::Invalid`] for a value outside its range; [`VehicleError::NoWheels`]; [`VehicleError::NoBase`] where a centre of
     /// mass is given but not two stations at different places; [`VehicleError::NoOrder`] where wheels are to follow in ruts but stand
     /// at unknown places; [`VehicleError::RutByOtherMethod`] where they are to do so by another method than the quadrature with one
-    /// zone of braking.
+    /// zone of braking, and [`VehicleError::RutAtEqualTorque`]; [`VehicleError::NothingTogether`];
+    /// [`VehicleError::HitchWithoutStatics`] for a hitch above the ground without a centre of mass.
     pub fn new(mut params: VehicleParams) -> Result<Self, VehicleError> {
         let centre = params.centre_of_mass.iter().flat_map(|of| [(&Self::POSITION, of.position), (&Self::HEIGHT, of.height)]);
         let positions = params.stations.iter().filter_map(|station| Some((&Self::POSITION, station.position?)));
         let unloading = params.unloading.iter().flat_map(Unloading::named);
-        let own = [(&Self::MASS, params.mass), (&Self::GRAVITY, params.gravity)];
-        if let Err(InvalidInput { faults }) = InvalidInput::check(own.into_iter().chain(positions).chain(centre).chain(unloading))
+        let torques = params.stations.iter().filter_map(|station| match station.turning {
+            Turning::UnderTorque(torque) => Some((&WheelOnSoil::TORQUE, torque)),
+            Turning::Together | Turning::AtSlip(_) => None,
+        });
+        let own = [(&Self::MASS, params.mass), (&Self::GRAVITY, params.gravity), (&Self::HITCH_HEIGHT, params.hitch_height)];
+        if let Err(InvalidInput { faults }) =
+            InvalidInput::check(own.into_iter().chain(torques).chain(positions).chain(centre).chain(unloading))
             && let Some(fault) = faults.first()
         {
             return Err(VehicleError::Invalid(*fault));
         }
         if params.stations.is_empty() || params.stations.iter().any(|station| station.count == 0) {
             return Err(VehicleError::NoWheels);
+        }
+        if params.stations.iter().all(|station| station.turning != Turning::Together) {
+            return Err(VehicleError::NothingTogether);
+        }
+        if params.hitch_height > 0.0 && params.centre_of_mass.is_none() {
+            return Err(VehicleError::HitchWithoutStatics);
         }
         let places: Option<Vec<f64>> = params.stations.iter().map(|station| station.position).collect();
         if params.centre_of_mass.is_some()
@@ -202,6 +247,9 @@ impl Vehicle {
                 let is_two_zoned = |station: &Station| station.system.contact.braking() == Braking::TwoZone;
                 if params.model.method != Method::Quadrature || params.stations.iter().any(is_two_zoned) {
                     return Err(VehicleError::RutByOtherMethod);
+                }
+                if params.drive == Drive::EqualTorque {
+                    return Err(VehicleError::RutAtEqualTorque);
                 }
                 rut::order(&places)
             }

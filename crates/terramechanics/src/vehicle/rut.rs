@@ -3,7 +3,8 @@
 //! p = p_u − k_u (z_u − z) below the pressure p_u at the depth z_u from which it was unloaded, with k_u = k_0 + A_u z_u; beyond z_u the
 //! soil yields as if it had never been unloaded. The forces follow from the pressure in `forces/rutted.rs`.
 //!
-//! k_0 was measured from 94e6 to 120e6 N/m³ and A_u from 2310e6 to 3746e6 N/m⁴; the defaults are the middles. At the pressures of rovers
+//! k_0 is quoted as measured from 94e6 to 120e6 N/m³ and A_u from 2310e6 to 3746e6 N/m⁴; the book was not read, and no public text was
+//! found to check these ranges by. The defaults are the middles. At the pressures of rovers
 //! the soil comes back by tenths of a millimetre, so that the choice hardly matters.
 //!
 //! Simplified: the floor of the rut is flat across the wheel, and the wheel fits into the rut whatever the width of the one before. p_u is
@@ -57,7 +58,7 @@ impl Unloading {
 
     /// A_u.
     pub const GAIN: Parameter = Parameter {
-        name: "a_u",
+        name: "a_u_n_m4",
         symbol: "A_u",
         unit: "N/m4",
         meaning: "Gain of the stiffness of unloading with the depth, k_u = k_0 + A_u z_u; measured from 2310e6 to 3746e6.",

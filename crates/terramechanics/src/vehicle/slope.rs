@@ -1,6 +1,6 @@
 //! At which slip does a rover climb a slope, and which slope is the largest?
 
-use super::{Driven, Vehicle, VehicleError};
+use super::{Driven, Told, Vehicle, VehicleError};
 use crate::numerics::brent::{Sample, bracketed_root};
 use crate::slip::Slip;
 use crate::slip_search::{Searched, largest_pull, slip_of_pull};
@@ -56,15 +56,16 @@ impl Vehicle {
     /// comes nearest where no slip from −1 to 1 gives the pull; [`VehicleError::Wheel`] where a wheel has no answer at any slip.
     pub fn on_slope(&self, slope: f64, hitch_pull: f64) -> Result<OnSlope, VehicleError> {
         let hitch_pull = Self::HITCH_PULL.check(hitch_pull).map_err(VehicleError::Invalid)?;
-        let loads = self.loads(slope)?;
+        let loads = self.loads(slope, hitch_pull)?;
         let needed = self.needed_pull(slope, hitch_pull);
+        let told = self.told(&loads)?;
         let mut refusal = None;
-        let found = slip_of_pull(|slip| self.pull(slip, &loads, &mut refusal), needed, (-1.0, 1.0));
+        let found = slip_of_pull(|slip| self.pull(&told, slip, &loads, &mut refusal), needed, (-1.0, 1.0));
         match found.map_err(|error| refusal.unwrap_or(VehicleError::Wheel { station: 0, error }))? {
             Searched::Missed { slip, pull: reached, nearest } => Err(VehicleError::NotClimbed { needed, reached, slip, nearest }),
             Searched::Met { slip } => {
                 let slip = Slip::new(slip).map_err(|error| VehicleError::Wheel { station: 0, error })?;
-                let driven = self.at(slip, &loads)?;
+                let driven = self.beside(&told, slip, &loads)?;
                 Ok(OnSlope { slope, specific_resistance: driven.energy_per_metre / self.weight(), driven })
             }
         }
@@ -141,16 +142,23 @@ impl Vehicle {
 
     /// The slope with the largest pull at slips from 0 to the limit, less the pull that is needed there.
     fn spare_pull(&self, slope: f64, hitch_pull: f64, slip_limit: f64) -> Trial {
-        let loads = self.loads(slope)?;
+        let loads = self.loads(slope, hitch_pull)?;
+        let told = self.told(&loads)?;
         let mut refusal = None;
-        let largest = largest_pull(|slip| self.pull(slip, &loads, &mut refusal), slip_limit);
+        let largest = largest_pull(|slip| self.pull(&told, slip, &loads, &mut refusal), slip_limit);
         let largest = largest.map_err(|error| refusal.unwrap_or(VehicleError::Wheel { station: 0, error }))?;
         Ok(Sample { x: slope, y: largest.y - self.needed_pull(slope, hitch_pull) })
     }
 
     /// Σ F_x (N) at a slip; the first refusal of a wheel is kept.
-    fn pull(&self, slip: f64, loads: &[f64], refusal: &mut Option<VehicleError>) -> Result<f64, crate::error::Error> {
-        self.at(Slip::new(slip)?, loads).map(|driven| driven.pull).map_err(|error| {
+    fn pull(
+        &self,
+        told: &Told,
+        slip: f64,
+        loads: &[f64],
+        refusal: &mut Option<VehicleError>,
+    ) -> Result<f64, crate::error::Error> {
+        self.beside(told, Slip::new(slip)?, loads).map(|driven| driven.pull).map_err(|error| {
             *refusal = refusal.or(Some(error));
             if let VehicleError::Wheel { error, .. } = error { error } else { crate::error::Error::NotFinite }
         })

@@ -71,9 +71,8 @@ fn warnings(case: &FitCase, found: &Fit) -> Vec<Warning> {
 
 /// That what was fitted to a bare rim may be its interface with the soil, where the contact has none of its own.
 fn of_the_interface(FitCase { setup, sought, .. }: &FitCase) -> Option<Warning> {
-    let of_shear = [Unknown::COHESION, Unknown::FRICTION_ANGLE, Unknown::SHEAR_MODULUS];
-    let is_bare = setup.wheel.lug_height() == 0.0 && setup.contact.interface.is_none();
+    let of_interface = |unknown: &Unknown| unknown.found_by(setup) != *unknown;
     let parameters: Vec<&'static str> =
-        sought.iter().map(|sought| sought.unknown).filter(|unknown| of_shear.contains(unknown)).map(Unknown::name).collect();
-    (is_bare && !parameters.is_empty()).then(|| Finding::MayBeTheInterface { parameters }.into())
+        sought.iter().map(|sought| sought.unknown).filter(of_interface).map(Unknown::name).collect();
+    (!parameters.is_empty()).then(|| Finding::MayBeTheInterface { parameters }.into())
 }

@@ -1,8 +1,9 @@
 //! The wheels of a rover: so many alike, or stations with their places.
 
-use terramechanics::{Braking, CentreOfMass, Contact, Station, Vehicle, WheelOnSoil};
+use terramechanics::{Braking, CentreOfMass, Contact, Station, Turning, Vehicle, WheelOnSoil};
 use terramechanics_reading::{Field, Number, Object, Objects, Reader};
 
+use super::drive::{TURNING, turning};
 use crate::request::laws::{number, number_or_default};
 use crate::request::soil::{self, FoundSoil};
 use crate::request::system::{CONTACT, WHEEL, read_contact, read_wheel};
@@ -23,7 +24,7 @@ const X: Field<Number> =
     Field::required(Vehicle::POSITION.name, "Place x (m) along the rover, positive to the front.", number(&Vehicle::POSITION));
 const OWN_SOIL: Field<&Object> = Field::new("soil", "The soil under this wheel, in place of that of the rover.", &soil::SOIL);
 
-const STATION: Object = Object { name: "Station", doc: "One wheel at its place.", groups: &[&[&X, &WHEEL, &OWN_SOIL]] };
+const STATION: Object = Object { name: "Station", doc: "One wheel at its place.", groups: &[&[&X, &WHEEL, &OWN_SOIL], TURNING] };
 
 pub(super) const STATIONS: Field<Objects> = Field::new(
     "stations",
@@ -99,7 +100,7 @@ pub(super) fn read(object: &Reader<'_>) -> Option<FoundStations> {
             }
             let Ground { soil, contact, .. } = ground()?;
             let system = WheelOnSoil { wheel: wheel?, soil: soil?.soil, contact: contact.with_braking(Braking::OneZone) };
-            let station = Station { position: None, count: count? as u32, system };
+            let station = Station { position: None, count: count? as u32, system, turning: Turning::Together };
             Some(FoundStations { stations: vec![station], have_own_soil: vec![false] })
         }
         (false, true) => stations(object, ground),
@@ -112,7 +113,7 @@ fn stations(object: &Reader<'_>, ground: impl Fn() -> Option<Ground>) -> Option<
     let ground = ground();
     let mut lacks_soil = false;
     let read = items.each(|station, _| {
-        let (position, wheel) = (station.required(&X), read_wheel(station));
+        let (position, wheel, turning) = (station.required(&X), read_wheel(station), turning(station));
         let own = station.optional(&OWN_SOIL)?.map(|own| soil::read(&own, needs));
         let has_own_soil = own.is_some();
         let (soil, contact) = match (own, ground.as_ref()?) {
@@ -132,7 +133,7 @@ fn stations(object: &Reader<'_>, ground: impl Fn() -> Option<Ground>) -> Option<
             }
         };
         let system = WheelOnSoil { wheel: wheel?, soil, contact: contact.with_braking(Braking::OneZone) };
-        Some((Station { position: Some(position?), count: 1, system }, has_own_soil))
+        Some((Station { position: Some(position?), count: 1, system, turning: turning? }, has_own_soil))
     });
     if lacks_soil {
         object.place_of(&SOIL).fault("is required, or a `soil` in every station");

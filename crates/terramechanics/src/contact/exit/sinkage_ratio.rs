@@ -1,8 +1,8 @@
 //! Where does the rim leave the soil, if that stands at a known height behind the wheel? At the ratio η of the rear sinkage to the
 //! front one: θ2 = −arccos(1 − η z/r) (Ishigami et al. 2007, source 24).
 //!
-//! Units: η has none. Validity: 0, where the soil does not rebound, to 1.2; 0.9 to 1.2 were published for wheels whose lugs carry
-//! soil to the rear. At η = 1 both sides of the lowest point are alike. Unlike a share of the entry angle, the ratio does not
+//! Units: η has none. Validity: 0, where the soil does not rebound, to 1.2; 0.1 to 0.3 were published for smooth wheels, and 0.9 to
+//! 1.2 for wheels whose lugs carry soil to the rear. At η = 1 both sides of the lowest point are alike. Unlike a share of the entry angle, the ratio does not
 //! change with the sinkage. No departures; the paper was not read.
 
 use crate::contact::angle_at_depth;

@@ -1,0 +1,69 @@
+//! A rover on one slope as a row among many.
+
+use terramechanics::VehicleError;
+use terramechanics_reading::FieldFault;
+
+use super::found::FoundSlope;
+use super::refusal;
+use super::reply::{COLUMNS, row};
+use super::request::{Slopes, VehicleCase};
+use crate::catalogue;
+use crate::compute::Cost;
+use crate::quantity::About;
+use crate::varied::{RowStatus, Varied};
+use crate::warning::{Finding, Tally};
+
+static LARGEST: About = About::new(
+    "largest_slope_rad",
+    "α",
+    "rad",
+    "largest slope that the rover climbs at slips up to the limit; null where there is none",
+);
+
+/// The columns of a rover.
+pub(crate) fn rover_columns() -> impl Iterator<Item = &'static About> {
+    COLUMNS.iter().chain([&LARGEST])
+}
+
+impl Varied for VehicleCase {
+    fn columns(&self) -> Vec<&'static About> {
+        rover_columns().collect()
+    }
+
+    fn refusal(&self) -> Option<FieldFault> {
+        let is_one = matches!(self.slopes, Slopes::One(_));
+        (!is_one).then(|| FieldFault::new("/slope_rad", "must be one slope here; an axis over `/slope_rad` has several"))
+    }
+
+    fn cost_of_rows(&self, rows: usize) -> Cost {
+        Cost::of_rovers(&self.vehicle, rows)
+    }
+
+    fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
+        let Self { vehicle, slopes, hitch_pull, slip_limit, velocity, .. } = self;
+        let slope = slopes.as_slice().first().copied().unwrap_or(f64::NAN);
+        let on = vehicle.on_slope(slope, *hitch_pull);
+        let climbs = on.as_ref().is_ok_and(|on| on.driven.slip.ratio() <= *slip_limit);
+        let found = FoundSlope { slope, needed_pull: vehicle.needed_pull(slope, *hitch_pull), climbs, on };
+        cells.extend(row(&found, *velocity));
+        let largest = vehicle.largest_slope(*hitch_pull, *slip_limit);
+        cells.push(largest.as_ref().map_or(f64::NAN, |largest| largest.slope));
+        for station in &vehicle.params().stations {
+            let (wheel, soil) = (&station.system.wheel, station.system.soil.params());
+            catalogue::outside(wheel, soil).for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
+        }
+        match &found.on {
+            Ok(on) => {
+                if !climbs {
+                    tally.finding(Finding::SlipBeyondLimit { slip: on.driven.slip.ratio(), limit: *slip_limit });
+                }
+                vehicle.cautions(&on.driven).into_iter().for_each(|(_, caution)| tally.caution(caution));
+                RowStatus::Ok
+            }
+            Err(error) => {
+                tally.finding(refusal::finding(error));
+                if matches!(error, VehicleError::NotClimbed { .. }) { RowStatus::NotClimbed } else { RowStatus::NoSolution }
+            }
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! Which fields may vary, and what is wrong with those that may not.
+
+use terramechanics_reading::{FieldFault, Number, Object, Path, Scope, shortened};
+
+use crate::words::HINTS;
+
+/// A fault of all rows alike.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RowFault {
+    /// The varied field at fault, by its place among them; none for any other field of the request.
+    pub(crate) field: Option<usize>,
+    /// The fault, as the operation tells it.
+    pub(crate) fault: FieldFault,
+}
+
+/// The path and the number of a field that is to vary, which `pointer` names; what is wrong with it is reported to `place`.
+pub(crate) fn varied_field(object: &'static Object, pointer: &str, place: &Scope<'_>) -> Option<(Path, Number)> {
+    let Some(path) = Path::of_pointer(pointer) else {
+        let meant = Path::of_dotted(pointer).filter(|path| object.number_at(path, &HINTS).is_ok());
+        let hint = meant.map_or_else(String::new, |path| format!("; did you mean `{}`?", path.pointer()));
+        place.fault(format_args!(
+            "must be the JSON pointer of a field of the request, such as `/slip`, not `{}`{hint}",
+            shortened(pointer)
+        ));
+        return None;
+    };
+    match object.number_at(&path, &HINTS) {
+        Ok(number) => Some((path, number)),
+        Err(astray) => {
+            place.fault(astray);
+            None
+        }
+    }
+}
+
+/// The faults that all of some rows have, which no value of the varied fields mends.
+pub(super) fn shared(of_rows: &[Vec<FieldFault>], pointers: &[String]) -> Vec<RowFault> {
+    let Some((first, others)) = of_rows.split_first() else { return Vec::new() };
+    let field = |fault: &FieldFault| pointers.iter().position(|pointer| *pointer == fault.pointer);
+    let is_shared = |fault: &FieldFault| {
+        // A number that is out of bounds is a fault of its row.
+        (field(fault).is_none() || fault.figures.is_none()) && others.iter().all(|faults| faults.contains(fault))
+    };
+    first.iter().filter(|fault| is_shared(fault)).map(|fault| RowFault { field: field(fault), fault: fault.clone() }).collect()
+}
