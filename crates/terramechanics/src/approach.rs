@@ -12,13 +12,13 @@ use crate::load::CarriedLoad;
 use crate::rolling::Rolling;
 
 /// Step in ln z within which the forces are linear: its square is below the rounding of a solved sinkage.
-const LINEAR: f64 = 3e-7;
+pub(crate) const LINEAR: f64 = 3e-7;
 
 /// Step in ln z after which few nodes tell no more: what it leaves is less than [`LINEAR`].
 const SETTLED: f64 = 1.5e-3;
 
 /// Longest step in ln z that is followed.
-const LONGEST: f64 = 3.0;
+pub(crate) const LONGEST: f64 = 3.0;
 
 /// Most passes with few nodes, and with all.
 const COARSE_PASSES: u32 = 6;

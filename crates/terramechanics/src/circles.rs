@@ -15,6 +15,7 @@
 //! Published tests differ in the circle of their slip, too: Ding et al. 2011 (source 6) count it on the shearing circle, others on
 //! the lug tips. Laws that depend on slip take it as it was counted.
 
+use crate::numerics::lanes::Number;
 use crate::slip::Slip;
 use crate::wheel::Wheel;
 
@@ -116,46 +117,67 @@ impl Circles {
 
 /// How the circle of the displacement moves at one slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Kinematics {
+pub(crate) struct Kinematics<K = f64> {
     /// Its radius r_j (m).
-    pub(crate) radius: f64,
+    pub(crate) radius: K,
     /// r_j − r (m).
-    pub(crate) offset: f64,
+    pub(crate) offset: K,
     /// κ = v/(r_j ω); infinite for a locked wheel.
-    pub(crate) ratio: f64,
+    pub(crate) ratio: K,
     /// 1 − κ, without cancellation near rolling where both circles are one.
-    pub(crate) complement: f64,
+    pub(crate) complement: K,
     /// 1 − 1/κ: the skid of that circle, above 0 where it is slower than the wheel travels, 1 for a locked wheel.
-    pub(crate) skid: f64,
+    pub(crate) skid: K,
 }
 
-/// ρ = r_slip/r_j and 1 − ρ.
-#[inline]
-fn radius_ratio(circles: Circles, wheel: &Wheel) -> (f64, f64) {
-    let Circles { shear_displacement, slip } = circles;
-    let radius = shear_displacement.of(wheel);
-    (slip.of(wheel) / radius, (shear_displacement.offset(wheel) - slip.offset(wheel)) / radius)
+/// The circles of a wheel, as far as its motion asks.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Rings<K = f64> {
+    /// r_j (m), and r_j − r (m) with all its digits.
+    pub(crate) radius: K,
+    pub(crate) offset: K,
+    /// ρ = r_slip/r_j, and 1 − ρ with all its digits.
+    pub(crate) rho: K,
+    pub(crate) lead: K,
+}
+
+impl Rings {
+    #[inline]
+    pub(crate) fn of(circles: Circles, wheel: &Wheel) -> Self {
+        let Circles { shear_displacement, slip } = circles;
+        let (radius, offset) = (shear_displacement.of(wheel), shear_displacement.offset(wheel));
+        Self { radius, offset, rho: slip.of(wheel) / radius, lead: (offset - slip.offset(wheel)) / radius }
+    }
+}
+
+impl<K: Number> Kinematics<K> {
+    /// The motion at a `slip` ratio (–). Braking κ = ρ/(1 + s), where the printed Eq. (6) has 1 − s (erratum 11: Eq. 2 gives the
+    /// other), with ρ = r_slip/r_j.
+    #[inline(always)]
+    pub(crate) fn at(rings: &Rings<K>, slip: K) -> Self {
+        let Rings { radius, offset, rho, lead } = *rings;
+        let (driving, braking) = ((-slip + 1.0) * rho, rho / (slip + 1.0));
+        let (driving_complement, braking_complement) = (lead + rho * slip, (lead + slip) / (slip + 1.0));
+        Self {
+            radius,
+            offset,
+            ratio: slip.if_not_negative(driving, braking),
+            complement: slip.if_not_negative(driving_complement, braking_complement),
+            skid: -slip.if_not_negative(driving_complement / driving, (lead + slip) / rho),
+        }
+    }
 }
 
 impl Kinematics {
-    /// The motion at `slip`. Braking κ = ρ/(1 + s), where the printed Eq. (6) has 1 − s (erratum 11: Eq. 2 gives the other),
-    /// with ρ = r_slip/r_j.
+    /// The motion at `slip`.
     #[inline]
     pub(crate) fn of(circles: Circles, wheel: &Wheel, slip: Slip) -> Self {
-        let (radius, offset) = (circles.shear_displacement.of(wheel), circles.shear_displacement.offset(wheel));
-        let (rho, lead) = radius_ratio(circles, wheel);
-        let s = slip.ratio();
-        if slip.is_driving() {
-            let (ratio, complement) = ((1.0 - s) * rho, lead + rho * s);
-            Self { radius, offset, ratio, complement, skid: -complement / ratio }
-        } else {
-            Self { radius, offset, ratio: rho / (1.0 + s), complement: (lead + s) / (1.0 + s), skid: -(lead + s) / rho }
-        }
+        Self::at(&Rings::of(circles, wheel), slip.ratio())
     }
 
     /// The slip at which the circle of the displacement has `skid` from 0 to 1.
     pub(crate) fn slip_ratio_at(circles: Circles, wheel: &Wheel, skid: f64) -> f64 {
-        let (rho, lead) = radius_ratio(circles, wheel);
+        let Rings { rho, lead, .. } = Rings::of(circles, wheel);
         let excess = -(lead + rho * skid); // r_slip ω/v − 1
         if excess > 0.0 { excess / (1.0 + excess) } else { excess.max(-1.0) }
     }

@@ -25,13 +25,13 @@
 //! Refused: a load that cohesion alone carries, and a braking wheel whose shear stress takes away what the normal stress supports.
 
 use crate::error::Error;
-use crate::forces::{ForceModel, Forces, Method, resistive};
+use crate::forces::{ClosedForm, ForceModel, Forces, Method, resistive};
 use crate::patch::ContactPatch;
-use crate::pressure_sinkage::PressureCurve;
+use crate::pressure_sinkage::{PressureCurve, pressure};
 use crate::rolling::WheelOnSoil;
 
 /// Share of the parts of F_z1 that has to be left of them: with less, seven digits would be lost in the difference.
-const LEAST_SUPPORT: f64 = 1e-7;
+pub(crate) const LEAST_SUPPORT: f64 = 1e-7;
 
 /// The forces of a wheel whose load is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,8 +86,9 @@ impl ForceModel {
             Some(form) => {
                 let normal = form.normal_stress_under(load)?;
                 let exponent = patch.rolling.curve().ok().map(|curve| curve.exponent);
-                let curve = exponent.map(|exponent| PressureCurve { modulus: normal / form.depth.powf(exponent), exponent });
-                LoadedForces { forces: form.forces(normal), curve, granular_stiffness: None }
+                let curve =
+                    exponent.map(|exponent| PressureCurve { modulus: normal / pressure(1.0, exponent, form.depth), exponent });
+                LoadedForces { forces: form.forces(normal).summed(), curve, granular_stiffness: None }
             }
             None => self.integrated_under(patch, load)?,
         };
@@ -143,7 +144,7 @@ fn left_by(carries: f64, load: f64) -> Result<f64, Error> {
     if load > carries { Ok(load - carries) } else { Err(Error::LoadBelowCohesion { load, carries }) }
 }
 
-impl super::forces::ClosedForm<'_> {
+impl ClosedForm {
     /// σm (Pa) at the peak of the wheel that carries `load` W (N): F_z = A X + B Y = W, solved for it.
     fn normal_stress_under(&self, load: f64) -> Result<f64, Error> {
         let (cohesive, frictional, direct) = self.normal_force_parts();

@@ -23,6 +23,7 @@
 /// Version of the model.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+mod abreast;
 mod approach;
 mod braking;
 mod caution;
@@ -30,6 +31,7 @@ mod circles;
 mod contact;
 mod coupled;
 mod digits;
+mod displacement;
 mod errata;
 mod error;
 mod events;
@@ -43,6 +45,8 @@ mod law;
 mod load;
 mod motion;
 mod numerics;
+mod one_contact;
+mod operating_point;
 mod operation;
 mod outcome;
 mod parameter;
@@ -92,7 +96,8 @@ pub use lateral::{Bulldozing, ShearCoupling, SideForce, SideSlip, SlipAngle};
 pub use law::{Declared, Law};
 pub use load::CarriedLoad;
 pub use motion::{Heading, Motion, Velocities};
-pub use operation::{KnownSinkage, NormalStressFrom, OperatingPoint, Operation, Sinkage};
+pub use operating_point::{KnownSinkage, NormalStressFrom, OperatingPoint, Sinkage};
+pub use operation::Operation;
 pub use outcome::{Outcome, cautions, system_cautions};
 pub use parameter::{Parameter, Parametrised, Presence, Requirement};
 pub use patch::ContactPatch;

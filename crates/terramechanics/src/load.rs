@@ -17,6 +17,7 @@ use crate::numerics::brent::{Sample, bracketed_root};
 use crate::pressure_sinkage::PressureCurve;
 use crate::resistive_force::equivalent_modulus;
 use crate::rolling::{Rolling, WheelOnSoil};
+use crate::wheel::Wheel;
 
 /// Relative tolerance of the sinkage, as small as the error of the quadrature allows.
 const TOLERANCE: f64 = 1e-13;
@@ -78,7 +79,7 @@ impl ForceModel {
     /// The same of a load that is greater than 0, with a sinkage (m) that is likely to be near.
     pub(crate) fn solve_sinkage_near(&self, rolling: &Rolling<'_>, load: f64, near: Option<f64>) -> Result<CarriedLoad, Error> {
         let curve = &self.guide(rolling)?;
-        let guess = near.unwrap_or_else(|| bekker_estimate(rolling, curve, load));
+        let guess = near.unwrap_or_else(|| bekker_estimate(&rolling.system.wheel, curve, load));
         match self.approach(rolling, load, guess, near.is_some()) {
             Some(found) => Ok(found),
             None => self.solve_sinkage_in_bracket(rolling, load, curve),
@@ -122,8 +123,7 @@ impl CarriedLoad {
 }
 
 /// Bekker's sinkage of a rigid wheel, z = (3 W / ((3 − N) b K_s √(2r)))^(2/(2N+1)) (Bekker 1956): a first guess.
-fn bekker_estimate(rolling: &Rolling<'_>, curve: &PressureCurve, load: f64) -> f64 {
-    let wheel = &rolling.system.wheel;
+pub(crate) fn bekker_estimate(wheel: &Wheel, curve: &PressureCurve, load: f64) -> f64 {
     let share = (3.0 - curve.exponent).max(0.5) / 3.0;
     let scale = share * wheel.width() * curve.modulus * (2.0 * wheel.radius()).sqrt();
     let estimate = (load / scale).powf(1.0 / (curve.exponent + 0.5));
@@ -201,7 +201,7 @@ impl Balance<'_> {
     fn bracket(&mut self) -> Result<(Sample, Sample), Error> {
         let span = self.most - self.least;
         let nearest = NEAREST * self.least;
-        let estimate = bekker_estimate(self.rolling, self.curve, self.load);
+        let estimate = bekker_estimate(&self.rolling.system.wheel, self.curve, self.load);
         let mut here = self.sample(estimate.max(nearest).min(span))?;
         let mut stride = FIRST_STRIDE;
         for _ in 0..BRACKET_STEPS {

@@ -7,7 +7,8 @@ use crate::caution::{
 };
 use crate::forces::Method;
 use crate::lateral::Bulldozing;
-use crate::operation::{NormalStressFrom, OperatingPoint, Operation, Sinkage};
+use crate::operating_point::{NormalStressFrom, OperatingPoint, Sinkage};
+use crate::operation::Operation;
 use crate::pressure_sinkage::PressureSinkage;
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;

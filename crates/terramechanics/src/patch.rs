@@ -14,12 +14,12 @@
 //! see `shear/`. At s < 0 the displacement may follow another law instead (`braking/`).
 
 use crate::circles::Kinematics;
-use crate::contact::{Angles, angle_at_depth};
+use crate::contact::{AngleRates, Angles, angle_at_depth};
+use crate::displacement::{Lead, Way};
 use crate::error::Error;
-use crate::numerics::circular::HalfArc;
 use crate::numerics::lanes::Number;
 use crate::rim::{RimEntry, RimPoint};
-use crate::rolling::Rolling;
+use crate::rolling::{Rolling, WheelOnSoil};
 use crate::zones::Zones;
 
 /// The contact of a rolling wheel at one sinkage.
@@ -32,36 +32,7 @@ pub struct ContactPatch<'a> {
     /// Characteristic angles.
     pub angles: Angles,
     pub(crate) entry: RimEntry,
-    lead: Lead,
-}
-
-/// What the circle of the displacement is ahead of the rim by: nothing where it is the rim.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Lead {
-    /// θ1' − θ1 (rad).
-    arc: f64,
-    /// j (m) where the rim enters; 0 for a wheel that does not turn.
-    displacement: f64,
-}
-
-impl Lead {
-    const NONE: Self = Self { arc: 0.0, displacement: 0.0 };
-
-    /// On a wheel of `radius` r (m) at `sinkage` z (m) that enters at `entry` θ1 (rad).
-    ///
-    /// cos θ1 − cos θ1' = (r − z)(1/r − 1/r_j) = 2 sin a sin x, with the half arc x and the middle a between both entries, gives x
-    /// without cancellation.
-    #[inline(never)]
-    fn of(kinematics: &Kinematics, radius: f64, sinkage: f64, entry: f64) -> Self {
-        let Kinematics { radius: outer, offset, ratio, complement, .. } = *kinematics;
-        let outer_entry = angle_at_depth((offset + sinkage) / outer);
-        let middle = 0.5 * (entry + outer_entry);
-        let half_arc = (0.5 * (radius - sinkage) * offset / (radius * outer) / middle.sin()).asin();
-        let HalfArc { sin, excess, .. } = HalfArc::of(half_arc);
-        let one_minus_cos_middle = 2.0 * (0.5 * middle).sin().powi(2);
-        let displacement = 2.0 * outer * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle));
-        Self { arc: 2.0 * half_arc, displacement: if ratio.is_finite() { displacement } else { 0.0 } }
-    }
+    pub(crate) lead: Lead,
 }
 
 impl Rolling<'_> {
@@ -81,12 +52,26 @@ impl Rolling<'_> {
             Some(reversal) => self.system.contact.angles_parted_at(reversal, depth_ratio)?,
         };
         let kinematics = &self.kinematics;
-        let lead = if kinematics.radius == radius { Lead::NONE } else { Lead::of(kinematics, radius, sinkage, angles.entry) };
+        let lead = if kinematics.radius == radius { Lead::NONE } else { self.lead(sinkage, angles.entry) };
         Ok(ContactPatch { rolling: self, sinkage, angles, entry: RimEntry::at_depth(depth_ratio), lead })
     }
 }
 
 impl Rolling<'_> {
+    /// The contact of the same wheel at another slip, where its angles do not change.
+    pub(crate) fn same_contact(&self, other: &ContactPatch<'_>) -> ContactPatch<'_> {
+        let ContactPatch { sinkage, angles, entry, .. } = *other;
+        let lead = if other.lead == Lead::NONE { Lead::NONE } else { self.lead(sinkage, angles.entry) };
+        ContactPatch { rolling: self, sinkage, angles, entry, lead }
+    }
+
+    /// What the circle of the displacement is ahead of the rim by. Apart, so that wheels without lugs do not carry its code along.
+    #[inline(never)]
+    fn lead(&self, sinkage: f64, entry: f64) -> Lead {
+        let lead = Lead::of(&self.kinematics, self.system.wheel.radius(), sinkage, entry);
+        if self.slip.is_locked() { lead.without_displacement() } else { lead }
+    }
+
     /// The contact of the leading edge at `sinkage` z (m), with its peak where `peak` (rad) says.
     ///
     /// # Errors
@@ -111,6 +96,12 @@ impl ContactPatch<'_> {
     /// dθ1/d ln z = tan (θ1/2) (rad), from cos θ1 = 1 − z/r.
     pub(crate) fn entry_rate(&self) -> f64 {
         self.sinkage / self.rolling.system.wheel.radius() / self.entry.sin()
+    }
+
+    /// How the angles move as the wheel sinks.
+    pub(crate) fn rates(&self) -> AngleRates {
+        let WheelOnSoil { wheel, contact, .. } = self.rolling.system;
+        contact.rates(self.sinkage / wheel.radius(), self.rolling.slip.ratio())
     }
 
     /// Whether it is the contact of a braking wheel with two zones.
@@ -150,13 +141,16 @@ impl ContactPatch<'_> {
         point.rise * (2.0 * self.rolling.system.wheel.radius())
     }
 
+    /// The way along which it shears the soil, where it turns.
+    #[inline(always)]
+    pub(crate) fn way(&self) -> Way {
+        Way { kinematics: self.rolling.kinematics, lead: self.lead }
+    }
+
     /// Shear displacement j (m) of a turning wheel. Eq. (6).
-    ///
-    /// j − j(θ1) = r_j [(1 − κ) δ + κ (δ − sin θ1 + sin θ)]: neither bracket cancels.
     #[inline(always)]
     pub(crate) fn displacement<F: Number>(&self, point: &RimPoint<F>) -> F {
-        let Kinematics { radius, ratio, complement, .. } = self.rolling.kinematics;
-        (point.half_arc * complement + point.lag * ratio) * (2.0 * radius) + self.lead.displacement
+        self.way().displacement(point)
     }
 
     /// Arc θ1' − θ (rad) of a place of the rim behind the entry of the circle of the displacement.
@@ -199,16 +193,10 @@ impl ContactPatch<'_> {
     }
 
     /// dE/dθ1 (1/rad) at a place of a turning wheel with one zone, where E is `share` and which moves at `turn` = dθ/dθ1.
-    ///
-    /// dj/dθ1 = r_j [dθ1'/dθ1 − dθ/dθ1 − κ (cos θ1' dθ1'/dθ1 − cos θ dθ/dθ1)], with cos θ1' = (r − z)/r_j.
     #[inline(always)]
     pub(crate) fn mobilisation_rate<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
-        let Rolling { kinematics: Kinematics { radius, ratio, .. }, strength, system, .. } = self.rolling;
-        let outward = system.wheel.radius() / radius;
-        let entry_turn =
-            if self.lead.arc > 0.0 { outward * self.entry.sin() / (self.angles.entry + self.lead.arc).sin() } else { 1.0 };
-        let entry_rate = entry_turn * (1.0 - ratio * outward * self.entry.cos());
-        let rate = (point.cos * turn * *ratio - turn + entry_rate) * *radius;
+        let Rolling { strength, system, .. } = self.rolling;
+        let rate = self.way().displacement_rate([system.wheel.radius(), self.sinkage], &self.entry, point, turn);
         let x = Number::abs(self.displacement(point)) * strength.per_shear_scale;
         self.rolling.shear().steepness(x, share) * rate * strength.per_shear_scale
     }

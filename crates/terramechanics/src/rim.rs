@@ -4,33 +4,33 @@
 //! light wheel on firm ground (z/r = 1e-6) keeps its digits.
 
 use crate::numerics::circular::HalfArc;
-use crate::numerics::lanes::Number;
+use crate::numerics::lanes::{Beside, Number};
 
 /// The entry of a contact, from which the places of the rim are counted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct RimEntry {
-    sin: f64,
-    cos: f64,
+pub(crate) struct RimEntry<K = f64> {
+    sin: K,
+    cos: K,
     /// z/r = 1 − cos θ1.
-    depth_ratio: f64,
+    depth_ratio: K,
 }
 
-impl RimEntry {
+impl<K: Number> RimEntry<K> {
     /// The entry of a contact with `depth_ratio` = z/r: cos θ1 = 1 − z/r. Eq. (3) at θ = 0.
-    #[inline]
-    pub(crate) fn at_depth(depth_ratio: f64) -> Self {
-        Self { sin: (depth_ratio * (2.0 - depth_ratio)).sqrt(), cos: 1.0 - depth_ratio, depth_ratio }
+    #[inline(always)]
+    pub(crate) fn at_depth(depth_ratio: K) -> Self {
+        Self { sin: (depth_ratio * (-depth_ratio + 2.0)).sqrt(), cos: -depth_ratio + 1.0, depth_ratio }
     }
 
     /// sin θ1.
-    #[inline]
-    pub(crate) fn sin(&self) -> f64 {
+    #[inline(always)]
+    pub(crate) fn sin(&self) -> K {
         self.sin
     }
 
     /// cos θ1.
-    #[inline]
-    pub(crate) fn cos(&self) -> f64 {
+    #[inline(always)]
+    pub(crate) fn cos(&self) -> K {
         self.cos
     }
 
@@ -38,7 +38,7 @@ impl RimEntry {
     ///
     /// All functions follow from those of the half arc x and of the entry: a = θ1 − x, θ = a − x.
     #[inline(always)]
-    pub(crate) fn place<F: Number>(&self, arc: F) -> RimPoint<F> {
+    pub(crate) fn place<F: Beside<K>>(&self, arc: F) -> RimPoint<F> {
         let half_arc = arc * 0.5;
         let HalfArc { sin, one_minus_cos, cos, excess } = HalfArc::of(half_arc);
         let sin_middle = cos * self.sin - sin * self.cos;
@@ -53,7 +53,9 @@ impl RimEntry {
             cos: cos_middle * cos + sin_middle * sin,
         }
     }
+}
 
+impl RimEntry {
     /// The place at `angle` θ (rad), where that is a part of θ1 = `entry` (rad) not near to the whole.
     ///
     /// sin θ1 − sin θ and cos θ − cos θ1 follow from θ − sin θ and 1 − cos θ, which are small beside those of the entry.

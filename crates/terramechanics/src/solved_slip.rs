@@ -5,7 +5,8 @@
 //! nearer to 0 is found.
 
 use crate::error::Error;
-use crate::operation::{OperatingPoint, Operation};
+use crate::operating_point::OperatingPoint;
+use crate::operation::Operation;
 use crate::pull::Pull;
 use crate::slip::Slip;
 use crate::slip_search::{Searched, slip_of_pull};

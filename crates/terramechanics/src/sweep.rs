@@ -3,8 +3,12 @@
 //! A row is the operating point itself, so what follows from a point follows from a row by the same formula. Where the sinkage is
 //! solved for, the search of a row starts from the rows before it, and ends within its tolerance of where it would end alone.
 
+use crate::abreast::{ABREAST, Abreast, Plan};
 use crate::error::Error;
-use crate::operation::{OperatingPoint, Operation, Sinkage};
+use crate::numerics::lanes::LANES;
+use crate::one_contact::{AT_ONCE, OneContact};
+use crate::operating_point::{OperatingPoint, Sinkage};
+use crate::operation::Operation;
 use crate::slip::Slip;
 
 /// One slip of a sweep, with what holds there.
@@ -82,9 +86,46 @@ impl SlipSweep {
     pub fn fill(&mut self, operation: &Operation, slips: &[Slip]) {
         self.rows.clear();
         self.rows.reserve(slips.len());
-        for &slip in slips {
-            self.push(operation, slip);
+        let Operation { system, model, sinkage } = operation;
+        if let Some(contact) = OneContact::of(system, model, sinkage) {
+            for slips in slips.chunks(AT_ONCE) {
+                contact.find(slips, |i, point| self.push_found(operation, slips[i], point));
+            }
+            return;
         }
+        let Some(plan) = Plan::of(system, model, sinkage) else {
+            slips.iter().for_each(|&slip| self.push(operation, slip));
+            return;
+        };
+        let mut abreast = Abreast::of(plan);
+        // Balances are guessed from the rows before.
+        let at_once = if matches!(operation.sinkage, Sinkage::CarryingLoad(_)) { LANES } else { ABREAST };
+        for slips in slips.chunks(at_once) {
+            let near = self.near(operation, slips);
+            let near = near.as_ref().map(|near| &near[..]);
+            abreast.find(slips, near, |i, point| self.push_found(operation, slips[i], point));
+        }
+    }
+
+    /// Adds the row of a point that was found, or else finds it.
+    #[inline(always)]
+    fn push_found(&mut self, operation: &Operation, slip: Slip, point: Option<OperatingPoint>) {
+        match point {
+            Some(point) => self.rows.push(SweepRow { slip, point: Ok(point) }),
+            None => self.push(operation, slip),
+        }
+    }
+
+    /// Sinkages (m) at slips to come that the latest rows lead to.
+    fn near(&self, operation: &Operation, slips: &[Slip]) -> Option<[f64; LANES]> {
+        if !matches!(operation.sinkage, Sinkage::CarryingLoad(_)) {
+            return None;
+        }
+        let mut near = [f64::NAN; LANES];
+        for (near, &slip) in near.iter_mut().zip(slips) {
+            *near = extrapolated_sinkage(&self.rows, slip)?;
+        }
+        Some(near)
     }
 
     /// Adds the row of `slip`, for a caller that has to look up between rows. All rows of a sweep are of one `operation`.

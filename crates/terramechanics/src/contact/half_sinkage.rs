@@ -4,8 +4,9 @@
 //! Units: z and r in m, θm in rad. Validity: that of Eq. (8), which the letter gives without a range. Departure: the letter uses
 //! Eq. (8) as an approximation wherever the peak lies; here the peak is placed so that the equation holds.
 
-use super::{Angles, ContactArc, angle_at_depth};
+use super::{ContactArc, angle_at_depth};
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised};
 use crate::sources::{Citation, LETTER};
 
@@ -14,14 +15,16 @@ use crate::sources::{Citation, LETTER};
 pub struct HalfSinkage;
 
 impl HalfSinkage {
-    #[inline]
-    pub(super) fn peak(&self, arc: &ContactArc) -> f64 {
-        angle_at_depth(0.5 * arc.depth_ratio) // Eq. (8)
+    #[inline(always)]
+    pub(super) fn peak<F: Number>(&self, arc: &ContactArc<F>) -> F {
+        angle_at_depth(arc.depth_ratio * 0.5) // Eq. (8)
     }
 
     /// By 1 − cos θm = (1 − cos θ1)/2.
-    pub(super) fn rate(&self, angles: &Angles, _exit_rate: f64) -> f64 {
-        0.5 * angles.entry.sin() / angles.peak.sin()
+    #[inline(always)]
+    pub(super) fn rate<F: Number>(&self, depth_ratio: F) -> F {
+        // (sin θ1)/(2 sin θm), and sin² = (z/r)(2 − z/r) at a depth z.
+        ((-depth_ratio + 2.0) / (-depth_ratio + 4.0)).sqrt()
     }
 }
 

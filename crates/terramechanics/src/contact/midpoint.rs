@@ -4,8 +4,9 @@
 //! Units: angles in rad. Validity: a simplification for the closed forms, which makes both sides of the peak equally long. No
 //! departures.
 
-use super::{Angles, ContactArc};
+use super::ContactArc;
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised};
 use crate::sources::{Citation, SHIBLY};
 
@@ -14,13 +15,14 @@ use crate::sources::{Citation, SHIBLY};
 pub struct Midpoint;
 
 impl Midpoint {
-    #[inline]
-    pub(super) fn peak(&self, arc: &ContactArc) -> f64 {
-        0.5 * (arc.entry + arc.exit)
+    #[inline(always)]
+    pub(super) fn peak<F: Number>(&self, arc: &ContactArc<F>) -> F {
+        (arc.entry + arc.exit) * 0.5
     }
 
-    pub(super) fn rate(&self, _angles: &Angles, exit_rate: f64) -> f64 {
-        0.5 * (1.0 + exit_rate)
+    #[inline(always)]
+    pub(super) fn rate<F: Number>(&self, exit_rate: F) -> F {
+        (exit_rate + 1.0) * 0.5
     }
 }
 

@@ -19,6 +19,8 @@ use crate::circles::Circles;
 use crate::error::Error;
 use crate::fault::InvalidInput;
 use crate::law::family;
+use crate::numerics::elementary::Elementary;
+use crate::numerics::lanes::Number;
 use crate::slip::Slip;
 
 family! {
@@ -32,23 +34,40 @@ family! {
         /// θm = arccos(1 − z/(2r)): half of the sinkage lies above the peak, which makes Eq. (8) exact.
         HalfSinkage,
     }
+}
 
+impl PeakRule {
     /// θm (rad) in a contact; the rule does not look whether it lies inside.
-    fn peak(&self, arc: &ContactArc) -> f64;
+    #[inline(always)]
+    fn peak<F: Number>(&self, arc: &ContactArc<F>) -> F {
+        match self {
+            Self::Midpoint => Midpoint.peak(arc),
+            Self::WongReece(rule) => rule.peak(arc),
+            Self::HalfSinkage => HalfSinkage.peak(arc),
+        }
+    }
 
-    /// dθm/dθ1 (–) in a contact that the rule gave, as the wheel sinks and its exit moves at `exit_rate` = dθ2/dθ1.
-    fn rate(&self, angles: &Angles, exit_rate: f64) -> f64;
+    /// dθm/dθ1 (–) as the wheel sinks and its exit moves at `exit_rate` = dθ2/dθ1.
+    #[inline(always)]
+    fn rate<F: Number>(&self, depth_ratio: F, slip: F, exit_rate: F) -> F {
+        match self {
+            Self::Midpoint => Midpoint.rate(exit_rate),
+            Self::WongReece(rule) => rule.rate(slip),
+            Self::HalfSinkage => HalfSinkage.rate(depth_ratio),
+        }
+    }
 }
 
 /// A contact, as far as the rules for its peak ask.
-struct ContactArc {
+struct ContactArc<F> {
     /// Entry angle θ1 (rad).
-    entry: f64,
+    entry: F,
     /// Exit angle θ2 (rad).
-    exit: f64,
+    exit: F,
     /// z/r (–).
-    depth_ratio: f64,
-    slip: Slip,
+    depth_ratio: F,
+    /// The slip ratio (–).
+    slip: F,
 }
 
 /// Parameters of the contact.
@@ -80,22 +99,22 @@ pub struct Contact {
 
 /// The characteristic angles of a contact (rad), from straight down, positive towards the front.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Angles {
+pub struct Angles<F = f64> {
     /// Entry angle θ1.
-    pub entry: f64,
+    pub entry: F,
     /// Angle of maximum stress θm, strictly between exit and entry.
-    pub peak: f64,
+    pub peak: F,
     /// Exit angle θ2.
-    pub exit: f64,
+    pub exit: F,
 }
 
 /// How the angles of a contact move as the wheel sinks (–).
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct AngleRates {
+pub(crate) struct AngleRates<F = f64> {
     /// dθm/dθ1.
-    pub(crate) peak: f64,
+    pub(crate) peak: F,
     /// dθ2/dθ1.
-    pub(crate) exit: f64,
+    pub(crate) exit: F,
 }
 
 impl AngleRates {
@@ -148,6 +167,14 @@ impl Contact {
         self.braking
     }
 
+    /// Whether the peak of a contact of one zone lies elsewhere at another slip.
+    pub(crate) fn peak_moves_with_slip(&self) -> bool {
+        match self.params.rule {
+            PeakRule::WongReece(rule) => rule.c2 != 0.0,
+            PeakRule::Midpoint | PeakRule::HalfSinkage => false,
+        }
+    }
+
     /// Whether the law for a braking wheel sets aside a rule for the peak other than the plain midpoint.
     pub(crate) fn sets_rule_aside(&self) -> bool {
         self.braking == Braking::TwoZone && self.params.rule != PeakRule::Midpoint
@@ -166,20 +193,25 @@ impl Contact {
     /// # Ok::<(), terramechanics::Error>(())
     /// ```
     pub fn angles(&self, depth_ratio: f64, slip: Slip) -> Result<Angles, Error> {
-        let entry = angle_at_depth(depth_ratio); // Eq. (13), corrected
-        let exit = self.params.exit.exit(entry, depth_ratio);
-        let peak = self.params.rule.peak(&ContactArc { entry, exit, depth_ratio, slip });
-        if exit < peak && peak < entry {
-            Ok(Angles { entry, peak, exit })
-        } else {
-            Err(Error::PeakOutsideContact { entry, peak, exit })
-        }
+        let angles = self.angles_by_rule(depth_ratio, slip.ratio());
+        let Angles { entry, peak, exit } = angles;
+        if angles.are_in_order() { Ok(angles) } else { Err(Error::PeakOutsideContact { entry, peak, exit }) }
     }
 
-    /// Rates of the angles of a contact of one zone against the entry angle, as the wheel sinks.
-    pub(crate) fn rates(&self, angles: &Angles) -> AngleRates {
-        let exit = self.params.exit.rate(angles.entry, angles.exit);
-        AngleRates { peak: self.params.rule.rate(angles, exit), exit }
+    /// The same whether or not the peak lies inside, at a `slip` ratio (–).
+    #[inline(always)]
+    pub(crate) fn angles_by_rule<F: Number>(&self, depth_ratio: F, slip: F) -> Angles<F> {
+        let entry = angle_at_depth(depth_ratio); // Eq. (13), corrected
+        let exit = self.params.exit.place(entry, depth_ratio);
+        let peak = self.params.rule.peak(&ContactArc { entry, exit, depth_ratio, slip });
+        Angles { entry, peak, exit }
+    }
+
+    /// Rates of the angles of a contact of one zone against the entry angle, as the wheel sinks: at z/r and a slip ratio (–).
+    #[inline(always)]
+    pub(crate) fn rates<F: Number>(&self, depth_ratio: F, slip: F) -> AngleRates<F> {
+        let exit = self.params.exit.rate(depth_ratio);
+        AngleRates { peak: self.params.rule.rate(depth_ratio, slip, exit), exit }
     }
 
     /// Angles of a contact of two zones that part at `reversal` (rad), and of sinkage `depth_ratio` = z/r.
@@ -210,11 +242,22 @@ impl Contact {
     }
 }
 
+impl Angles {
+    /// Whether θ2 < θm < θ1.
+    #[inline]
+    pub(crate) fn are_in_order(&self) -> bool {
+        self.exit < self.peak && self.peak < self.entry
+    }
+}
+
 /// Share by which the deepest contact stays short of the one that has no rear zone.
 const INSIDE: f64 = 1e-9;
 
-/// Angle (rad) whose cosine lies d = z/r below 1: arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small.
-#[inline]
-pub(crate) fn angle_at_depth(d: f64) -> f64 {
-    2.0 * (0.5 * d).sqrt().asin()
+/// Angle (rad) whose cosine lies d = z/r below 1: arccos(1 − d) as 2 arcsin √(d/2), which keeps its digits where d is small. For d
+/// from 0 to 1.2, beyond which no contact reaches.
+#[inline(always)]
+pub(crate) fn angle_at_depth<F: Number>(d: F) -> F {
+    let half = d * 0.5;
+    let root = half.sqrt();
+    (root + root * half.arcsin_excess()) * 2.0
 }

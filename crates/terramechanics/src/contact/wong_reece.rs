@@ -4,9 +4,10 @@
 //! the contact. No departures; at s < 0 the rule is applied as written. The paper was not read; the rule was seen in public
 //! implementations that agree.
 
-use super::{Angles, ContactArc};
+use super::ContactArc;
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, WONG_REECE};
 
@@ -44,13 +45,14 @@ impl WongReece {
         presence: Presence::Required,
     };
 
-    #[inline]
-    pub(super) fn peak(&self, arc: &ContactArc) -> f64 {
-        (self.c1 + self.c2 * arc.slip.ratio()) * arc.entry
+    #[inline(always)]
+    pub(super) fn peak<F: Number>(&self, arc: &ContactArc<F>) -> F {
+        (arc.slip * self.c2 + self.c1) * arc.entry
     }
 
-    pub(super) fn rate(&self, angles: &Angles, _exit_rate: f64) -> f64 {
-        angles.peak / angles.entry
+    #[inline(always)]
+    pub(super) fn rate<F: Number>(&self, slip: F) -> F {
+        slip * self.c2 + self.c1
     }
 }
 

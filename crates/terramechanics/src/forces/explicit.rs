@@ -23,48 +23,49 @@
 //! z/r), which (13) halves (erratum 7). Options: the normal stress at r_s (erratum 3), the geometric depth under the peak, and
 //! λ_A and λ_B computed so that (14) is exact.
 
+use super::outline::Outline;
+use super::shape::{self, shape_within};
 use super::{Lambda, ShapeIntegrals};
 use crate::contact::AngleRates;
-use crate::patch::ContactPatch;
+use crate::numerics::lanes::Number;
 
 /// A and B by Eq. (14); where λ is exact, that is what Eq. (12) gives.
-#[inline]
-pub(super) fn approximate_shape(patch: &ContactPatch<'_>, lambda_a: Lambda, lambda_b: Lambda) -> ShapeIntegrals {
-    let half_depth_ratio = 0.5 * patch.sinkage / patch.rolling.system.wheel.radius(); // z/(2r)
-    let exact = || ShapeIntegrals::of(&patch.angles);
-    ShapeIntegrals {
-        a: match lambda_a {
-            Lambda::Given(lambda) => (1.0 - lambda) * half_depth_ratio.sqrt(), // Eq. (14a)
-            Lambda::Exact => exact().a,
-        },
-        b: match lambda_b {
-            Lambda::Given(lambda) => (1.0 + lambda) * half_depth_ratio, // Eq. (14b), with r for π (erratum 8)
-            Lambda::Exact => exact().b,
-        },
-        h: 0.5 * patch.angles.entry, // Eq. (17)
-    }
+#[inline(always)]
+pub(super) fn approximate_shape<F: Number>(outline: &Outline<F>, [lambda_a, lambda_b]: [Lambda; 2]) -> ShapeIntegrals<F> {
+    let half_depth_ratio = outline.depth_ratio * 0.5; // z/(2r)
+    let mut shape = ShapeIntegrals {
+        a: half_depth_ratio.sqrt(),
+        b: half_depth_ratio,
+        h: outline.angles.entry * 0.5, // Eq. (17)
+    };
+    let exact = if [lambda_a, lambda_b].contains(&Lambda::Exact) { shape_within(&outline.angles) } else { shape };
+    shape.a = match lambda_a {
+        Lambda::Given(lambda) => shape.a * (1.0 - lambda), // Eq. (14a)
+        Lambda::Exact => exact.a,
+    };
+    shape.b = match lambda_b {
+        Lambda::Given(lambda) => shape.b * (1.0 + lambda), // Eq. (14b), with r for π (erratum 8)
+        Lambda::Exact => exact.b,
+    };
+    shape
 }
 
 /// dA/dθ1, dB/dθ1 and dH/dθ1 (1/rad) of that shape as the wheel sinks: A grows as √z, B as z.
-pub(super) fn shape_changes(
-    patch: &ContactPatch<'_>,
-    shape: &ShapeIntegrals,
+#[inline(always)]
+pub(super) fn shape_changes<F: Number>(
+    outline: &Outline<F>,
+    shape: &ShapeIntegrals<F>,
     lambdas: [Lambda; 2],
-    rates: &AngleRates,
-) -> ShapeIntegrals {
-    let deepening = 1.0 / patch.entry_rate(); // d ln z/dθ1
-    let exact = || ShapeIntegrals::changes(&patch.angles, rates);
-    ShapeIntegrals {
-        a: match lambdas[0] {
-            Lambda::Given(_) => 0.5 * shape.a * deepening,
-            Lambda::Exact => exact().a,
-        },
-        b: match lambdas[1] {
-            Lambda::Given(_) => shape.b * deepening,
-            Lambda::Exact => exact().b,
-        },
-        h: 0.5,
+    rates: &AngleRates<F>,
+) -> ShapeIntegrals<F> {
+    let deepening = outline.deepening(); // d ln z/dθ1
+    let mut changes = ShapeIntegrals { a: shape.a * deepening * 0.5, b: shape.b * deepening, h: shape.h.like(0.5) };
+    if lambdas.contains(&Lambda::Exact) {
+        let exact = shape::shape_changes(&outline.angles, rates);
+        changes.a = if lambdas[0] == Lambda::Exact { exact.a } else { changes.a };
+        changes.b = if lambdas[1] == Lambda::Exact { exact.b } else { changes.b };
     }
+    changes
 }
 
 #[cfg(test)]

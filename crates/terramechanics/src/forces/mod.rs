@@ -10,9 +10,13 @@
 //! otherwise (3); the normal force is the sum of both parts (4); the torque's integral starts at the exit (5); the torque
 //! carries r_s² (6); B ≈ z/(2r) (8); the shear terms of (15) carry r_s/√r (9).
 
+mod at_slips;
 mod closed;
 mod explicit;
+#[cfg(test)]
+mod levels;
 mod method;
+pub(crate) mod outline;
 mod panel;
 mod panels;
 mod quadrature;
@@ -22,7 +26,8 @@ mod shape;
 mod shearing;
 mod side;
 
-pub(crate) use closed::ClosedForm;
+pub(crate) use at_slips::forces_at_slips;
+pub(crate) use closed::{Changing, ClosedForces, ClosedForm, Frame, Leverage};
 pub use method::{Lambda, Method, NormalStressRadius, PeakDepth};
 pub use shape::ShapeIntegrals;
 
@@ -33,7 +38,9 @@ use crate::lateral::SideForce;
 use crate::motion::Heading;
 use crate::patch::ContactPatch;
 use crate::rim::RimPoint;
+use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
+use crate::strength::Strength;
 use crate::stress::{StressField, Stresses};
 use crate::wheel::Wheel;
 
@@ -57,6 +64,17 @@ impl ForceModel {
     #[must_use]
     pub fn normal_stress_radius(&self, wheel: &Wheel) -> f64 {
         self.normal_stress_radius.of(wheel)
+    }
+
+    /// What turns stresses at the peak into forces.
+    #[inline]
+    pub(crate) fn leverage(&self, system: &WheelOnSoil, strength: &Strength) -> Leverage {
+        let wheel = &system.wheel;
+        let Strength { cohesion, tan_friction, per_shear_scale, .. } = *strength;
+        let (normal_area, shear_area) =
+            (self.normal_stress_radius(wheel) * wheel.width(), wheel.shearing_radius() * wheel.width());
+        let shearing_radius = wheel.shearing_radius();
+        Leverage { normal_area, shear_area, shearing_radius, cohesion, tan_friction, per_shear_scale }
     }
 
     /// Forces and torque on the wheel in the contact `patch`.
@@ -99,7 +117,7 @@ impl ForceModel {
         self.check(patch)?;
         let stresses = &patch.stresses()?;
         let forces = match (self.method, self.closed_form(patch)) {
-            (_, Some(form)) => form.forces(stresses.curve.pressure(form.depth)),
+            (_, Some(form)) => form.forces(stresses.curve.pressure(form.depth)).summed(),
             (Method::SideSlipping(side), None) => side::forces(self, stresses, &side),
             (_, None) => quadrature::forces(self, stresses),
         };
@@ -145,15 +163,15 @@ impl ForceModel {
 
 /// The four parts of the forces, which the letter explains below Eq. (12).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Components {
+pub struct Components<F = f64> {
     /// Traction AY: the shear stress along x (N).
-    pub traction: f64,
+    pub traction: F,
     /// Resistance BX: the normal stress against x (N).
-    pub resistance: f64,
+    pub resistance: F,
     /// Normal support AX: the normal stress along z (N).
-    pub normal_support: f64,
+    pub normal_support: F,
     /// Shear support BY: the shear stress along z (N).
-    pub shear_support: f64,
+    pub shear_support: F,
 }
 
 /// Forces and torque on a wheel.

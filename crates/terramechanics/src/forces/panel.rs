@@ -85,14 +85,14 @@ fn in_lanes<L: Simd>(simd: L, values: &[f64; LANES]) -> f64x8<L> {
 
 /// Nodes on both sides of the peak, mirrored to one another, and what is found there.
 #[derive(Clone, Copy)]
-struct Spot<L: Simd> {
+pub(super) struct Spot<L: Simd> {
     t: f64x8<L>,
     /// dt.
     weight: f64x8<L>,
-    front: RimPoint<f64x8<L>>,
+    pub(super) front: RimPoint<f64x8<L>>,
     rear: RimPoint<f64x8<L>>,
     /// σ (Pa).
-    normal: f64x8<L>,
+    pub(super) normal: f64x8<L>,
     /// E (–).
     front_share: f64x8<L>,
     rear_share: f64x8<L>,
@@ -156,30 +156,52 @@ impl<P: Pressing> Rim<'_, P> {
         [from, to]: [f64; 2],
         rates: &AngleRates,
     ) -> (Sums, Integrals) {
-        let Self { patch, curve, .. } = *self;
-        let front_side = Side { arc: self.front, arc_rate: 1.0 - rates.peak };
-        let rear_side = Side { arc: self.rear, arc_rate: rates.peak - rates.exit };
+        let mut spots = self.spots(simd, nodes, [from, to]);
+        let deepest = [self.patch.sinkage, self.curve.pressure(self.patch.sinkage)];
+        for spot in &mut spots {
+            // Eqs. (3), (4): the same on both sides.
+            spot.normal = self.curve.pressures(self.patch.geometric_depth(&spot.front), deepest);
+        }
+        self.sums_over::<L, S, N, CHANGING>(simd, nodes, &mut spots, shearing, rates)
+    }
+
+    /// Nodes over a range of u, without stresses.
+    #[inline(always)]
+    pub(super) fn spots<L: Simd, const N: usize>(&self, simd: L, nodes: &[LaneNodes; N], [from, to]: [f64; 2]) -> [Spot<L>; N] {
+        let patch = self.patch;
         let length = to - from;
-        let deepest = [patch.sinkage, curve.pressure(patch.sinkage)];
-        let zero = f64x8::splat(simd, 0.0);
-        let [mut normal_cos, mut normal_sin, mut shear_cos, mut shear_sin, mut shear_plain, mut shear_size] = [zero; 6];
-        let [mut normal_null, mut shear_null] = [[zero; 2]; 2];
-        let mut changes = Changes([zero; 5]);
-        // Step by step over all nodes: the steps of one vector wait for one another, those of several do not.
         let mut spots = [Spot::zero(simd); N];
         for (spot, nodes) in spots.iter_mut().zip(nodes) {
             let u = in_lanes(simd, &nodes.place) * length + from;
             let cube = u * u * u;
             spot.t = cube * u;
             spot.weight = in_lanes(simd, &nodes.weight) * cube * (4.0 * length); // du → dt
-            spot.front = patch.rim_point(spot.t * front_side.arc);
-            spot.rear = patch.entry.place_at(&self.entry, spot.t * rear_side.arc + patch.angles.exit);
+            spot.front = patch.rim_point(spot.t * self.front);
+            spot.rear = patch.entry.place_at(&self.entry, spot.t * self.rear + patch.angles.exit);
         }
-        for spot in &mut spots {
-            // Eqs. (3), (4): the same on both sides.
-            spot.normal = curve.pressures(patch.geometric_depth(&spot.front), deepest);
-        }
-        for spot in &mut spots {
+        spots
+    }
+
+    /// The sums over nodes that are pressed, and if `CHANGING` the changes of the integrals.
+    ///
+    /// Step by step over all nodes: the steps of one vector wait for one another, those of several do not.
+    #[inline(always)]
+    pub(super) fn sums_over<L: Simd, S: Shearing<P>, const N: usize, const CHANGING: bool>(
+        &self,
+        simd: L,
+        nodes: &[LaneNodes; N],
+        spots: &mut [Spot<L>; N],
+        shearing: &S,
+        rates: &AngleRates,
+    ) -> (Sums, Integrals) {
+        let Self { patch, curve, .. } = *self;
+        let front_side = Side { arc: self.front, arc_rate: 1.0 - rates.peak };
+        let rear_side = Side { arc: self.rear, arc_rate: rates.peak - rates.exit };
+        let zero = f64x8::splat(simd, 0.0);
+        let [mut normal_cos, mut normal_sin, mut shear_cos, mut shear_sin, mut shear_plain, mut shear_size] = [zero; 6];
+        let [mut normal_null, mut shear_null] = [[zero; 2]; 2];
+        let mut changes = Changes([zero; 5]);
+        for spot in spots.iter_mut() {
             (spot.front_share, spot.rear_share) = (shearing.ahead(&spot.front), shearing.behind(&spot.rear)); // Eq. (6)
         }
         for (spot, LaneNodes { null, .. }) in spots.iter().zip(nodes) {
@@ -218,68 +240,5 @@ impl<P: Pressing> Rim<'_, P> {
         let normal_error = error_of([sum(normal_null[0]), sum(normal_null[1])], integrals.normal_cos);
         let shear_error = error_of([sum(shear_null[0]), sum(shear_null[1])], shear_size);
         (Sums { integrals, shear_size, normal_error, shear_error }, Integrals::of(changes.0))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::contact::{AngleRates, Contact};
-    use crate::forces::quadrature::OneZone;
-    use crate::forces::shearing::Rim;
-    use crate::numerics::gauss_legendre::FINE;
-    use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
-    use crate::rolling::WheelOnSoil;
-    use crate::shear::{JanosiHanamoto, ShearLaw};
-    use crate::slip::Slip;
-    use crate::soil::{Soil, SoilParams};
-    use crate::wheel::{Wheel, WheelParams};
-    use fearless_simd::{Level, dispatch};
-
-    /// The levels of lanes that this machine has.
-    fn levels() -> Vec<Level> {
-        #[cfg_attr(not(target_arch = "x86_64"), expect(unused_mut, reason = "other machines have one level"))]
-        let mut levels = vec![Level::new()];
-        #[cfg(target_arch = "x86_64")]
-        {
-            let best = Level::new();
-            levels.extend(best.as_sse2().map(Level::Sse2));
-            levels.extend(best.as_sse4_2().map(Level::Sse4_2));
-            levels.extend(best.as_avx2().map(Level::Avx2));
-        }
-        levels
-    }
-
-    #[test]
-    fn every_level_of_lanes_gives_the_same_bits() {
-        let exponent = SinkageExponent { base: 0.83, slip_gain: 0.2, skid_gain: None };
-        let system = WheelOnSoil {
-            wheel: Wheel::new(WheelParams { radius: 0.2, width: 0.1, lug_height: 0.01, lug_coefficient: 0.5 }).expect("a wheel"),
-            soil: Soil::new(SoilParams {
-                cohesion: 300.0,
-                friction_angle: 0.478,
-                shear: Some(ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.011 })),
-                pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 7e5, exponent })),
-                ..SoilParams::BARE
-            })
-            .expect("a soil"),
-            contact: Contact::MIDPOINT,
-        };
-        for i in 0..1000 {
-            let (ratio, sinkage) = (-0.3 + 1.3 * f64::from(i) / 999.0, 1e-6 + 1.7e-4 * f64::from(i));
-            let rolling = system.rolling(Slip::new(ratio).expect("a slip")).expect("a rolling wheel");
-            let patch = rolling.contact(sinkage).expect("a contact");
-            let rim = Rim::of(&patch.stresses().expect("stresses"));
-            let of = |level: Level| {
-                let rates = &AngleRates { peak: 0.5, exit: 0.0 };
-                let (sums, changes) = dispatch!(level, simd => {
-                    rim.sums_and_changes::<_, _, _, true>(simd, &FINE, &OneZone(&patch), [0.0, 1.0], rates)
-                });
-                let all = [sums.integrals, changes]
-                    .map(|of| [of.normal_cos, of.normal_sin, of.shear_cos, of.shear_sin, of.shear_plain]);
-                all.map(|values| values.map(f64::to_bits))
-            };
-            let best = of(Level::new());
-            assert!(levels().into_iter().all(|level| of(level) == best), "{ratio} {sinkage}");
-        }
     }
 }

@@ -48,6 +48,11 @@ impl Edges {
         Self { places: [0.0; MOST_EDGES], count: 1 }
     }
 
+    /// Whether one panel has all, once they are closed.
+    pub(super) fn are_of_one_panel(&self) -> bool {
+        self.count == 2
+    }
+
     /// An end at t = u⁴, if u lies inside `within`.
     #[inline]
     pub(super) fn split(&mut self, t: f64, within: Range<f64>) {

@@ -50,7 +50,7 @@ const HALVINGS: u32 = 2;
 pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>, coarse: bool) -> Option<(Forces, Forces)> {
     let patch = stresses.patch;
     let (rim, shearing) = (Rim::of(stresses), OneZone(patch));
-    let rates = &patch.rolling.system.contact.rates(&patch.angles);
+    let rates = &patch.rates();
     let level = Level::new();
     if coarse {
         let (sums, changes) =
@@ -85,7 +85,7 @@ pub(super) fn forces_by<P: Pressing, S: Shearing<P>, const FEW: usize>(
 }
 
 #[inline]
-fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Integrals, error: f64) -> Forces {
+pub(super) fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals: &Integrals, error: f64) -> Forces {
     let wheel = &patch.rolling.system.wheel;
     let normal = model.normal_stress_radius(wheel) * wheel.width();
     let shear = wheel.shearing_radius() * wheel.width();

@@ -10,17 +10,18 @@
 //! Units: angles in rad; A, B and H have none. Validity: θ2 < θm < θ1, and exact for linear stresses. No departures.
 
 use crate::contact::{AngleRates, Angles};
-use crate::numerics::circular::ArcMeans;
+use crate::numerics::circular::{ArcMeans, HalfArc};
+use crate::numerics::lanes::Number;
 
 /// Integrals of the triangle that rises from 0 at θ2 to 1 at θm and falls to 0 at θ1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShapeIntegrals {
+pub struct ShapeIntegrals<F = f64> {
     /// A, the integral with cos θ (–). Eq. (12a).
-    pub a: f64,
+    pub a: F,
     /// B, the integral with sin θ (–). Eq. (12b).
-    pub b: f64,
+    pub b: F,
     /// H, the area (θ1 − θ2)/2 (–). Eq. (12c).
-    pub h: f64,
+    pub h: F,
 }
 
 impl ShapeIntegrals {
@@ -39,26 +40,36 @@ impl ShapeIntegrals {
     /// ```
     #[must_use]
     pub fn of(angles: &Angles) -> Self {
-        let Angles { entry, peak, exit } = *angles;
-        let rear = ArcMeans::over(0.5 * (peak + exit), 0.5 * (peak - exit));
-        let front = ArcMeans::over(0.5 * (entry + peak), 0.5 * (entry - peak));
-        Self { a: front.sin - rear.sin, b: front.one_minus_cos - rear.one_minus_cos, h: 0.5 * (entry - exit) }
+        shape_within(angles)
     }
+}
 
-    /// dA/dθ1, dB/dθ1 and dH/dθ1 (1/rad) as the wheel sinks and its angles move at `rates`.
-    ///
-    /// The mean ⟨f⟩ over an arc from p to q changes by [(f(q) − ⟨f⟩) dq − (f(p) − ⟨f⟩) dp]/(q − p).
-    pub(super) fn changes(angles: &Angles, rates: &AngleRates) -> Self {
-        let Angles { entry, peak, exit } = *angles;
-        let mean_changes = |[p, q]: [f64; 2], [p_rate, q_rate]: [f64; 2]| {
-            let means = ArcMeans::over(0.5 * (p + q), 0.5 * (q - p));
-            let one_minus_cos = |angle: f64| 2.0 * (0.5 * angle).sin().powi(2);
-            let of_sin = (q.sin() - means.sin) * q_rate - (p.sin() - means.sin) * p_rate;
-            let of_cos = (one_minus_cos(q) - means.one_minus_cos) * q_rate - (one_minus_cos(p) - means.one_minus_cos) * p_rate;
-            [of_sin / (q - p), of_cos / (q - p)]
-        };
-        let rear = mean_changes([exit, peak], [rates.exit, rates.peak]);
-        let front = mean_changes([peak, entry], [rates.peak, 1.0]);
-        Self { a: front[0] - rear[0], b: front[1] - rear[1], h: 0.5 * (1.0 - rates.exit) }
-    }
+/// A, B and H of one contact or of several side by side.
+#[inline(always)]
+pub(super) fn shape_within<F: Number>(angles: &Angles<F>) -> ShapeIntegrals<F> {
+    let Angles { entry, peak, exit } = *angles;
+    let rear = ArcMeans::over((peak + exit) * 0.5, (peak - exit) * 0.5);
+    let front = ArcMeans::over((entry + peak) * 0.5, (entry - peak) * 0.5);
+    ShapeIntegrals { a: front.sin - rear.sin, b: front.one_minus_cos - rear.one_minus_cos, h: (entry - exit) * 0.5 } // Eq. (12)
+}
+
+/// dA/dθ1, dB/dθ1 and dH/dθ1 (1/rad) as the wheel sinks and its angles move at `rates`.
+#[inline(always)]
+pub(super) fn shape_changes<F: Number>(angles: &Angles<F>, rates: &AngleRates<F>) -> ShapeIntegrals<F> {
+    let Angles { entry, peak, exit } = *angles;
+    let rear = mean_changes([exit, peak], [rates.exit, rates.peak]);
+    let front = mean_changes([peak, entry], [rates.peak, entry.like(1.0)]);
+    ShapeIntegrals { a: front[0] - rear[0], b: front[1] - rear[1], h: (-rates.exit + 1.0) * 0.5 }
+}
+
+/// Changes of ⟨sin⟩ and of 1 − ⟨cos⟩ (1/rad) over an arc whose ends move.
+///
+/// The mean ⟨f⟩ over an arc from p to q changes by [(f(q) − ⟨f⟩) dq − (f(p) − ⟨f⟩) dp]/(q − p).
+#[inline(always)]
+fn mean_changes<F: Number>([p, q]: [F; 2], [p_rate, q_rate]: [F; 2]) -> [F; 2] {
+    let means = ArcMeans::over((p + q) * 0.5, (q - p) * 0.5);
+    let (from, to) = (HalfArc::of(p), HalfArc::of(q));
+    let of_sin = (to.sin - means.sin) * q_rate - (from.sin - means.sin) * p_rate;
+    let of_cos = (to.one_minus_cos - means.one_minus_cos) * q_rate - (from.one_minus_cos - means.one_minus_cos) * p_rate;
+    [of_sin / (q - p), of_cos / (q - p)]
 }

@@ -2,6 +2,7 @@
 
 use super::panels::Edges;
 use crate::contact::Angles;
+use crate::numerics::elementary::Elementary;
 use crate::numerics::lanes::Number;
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
@@ -39,12 +40,26 @@ impl Pressing for PressureCurve {
 
     #[inline(always)]
     fn pressures<F: Number>(&self, depth: F, [deepest, pressure]: [f64; 2]) -> F {
-        ((depth * (1.0 / deepest)).ln() * self.exponent).exp() * pressure // Eq. (1)
+        self.pressures_by(log_share(depth, deepest), pressure)
     }
 
     fn exponent(&self) -> f64 {
         self.exponent
     }
+}
+
+impl PressureCurve {
+    /// σ (Pa) where the pressure is known at the deepest place, by the `log` of the depth over that one. Eq. (1).
+    #[inline(always)]
+    pub(super) fn pressures_by<F: Number>(&self, log: F, deepest: f64) -> F {
+        (log * self.exponent).exp() * deepest
+    }
+}
+
+/// ln of a depth (m) over the `deepest` one (m).
+#[inline(always)]
+pub(super) fn log_share<F: Number>(depth: F, deepest: f64) -> F {
+    (depth * (1.0 / deepest)).ln()
 }
 
 /// How the soil is sheared on the two sides of the peak. A type of its own for each law, so that neither pays for the other.
@@ -64,6 +79,7 @@ pub(super) trait Shearing<P = PressureCurve> {
 }
 
 /// The arcs of a contact.
+#[derive(Clone, Copy)]
 pub(super) struct Rim<'a, P = PressureCurve> {
     pub(super) patch: &'a ContactPatch<'a>,
     pub(super) curve: &'a P,

@@ -65,23 +65,23 @@ impl<F: Number> HalfArc<F> {
 
 /// Means over an arc of the sine and of 1 − cosine.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ArcMeans {
+pub(crate) struct ArcMeans<F = f64> {
     /// ⟨sin⟩.
-    pub(crate) sin: f64,
+    pub(crate) sin: F,
     /// 1 − ⟨cos⟩, to full relative precision.
-    pub(crate) one_minus_cos: f64,
+    pub(crate) one_minus_cos: F,
 }
 
-impl ArcMeans {
+impl<F: Number> ArcMeans<F> {
     /// Over the arc from p − x to p + x, with p = `middle` in |p| ≤ π and x = `half` in 0 < x ≤ π/2: ⟨sin⟩ = sin p · sin x/x,
     /// ⟨cos⟩ = cos p · sin x/x.
     #[inline(always)]
-    pub(crate) fn over(middle: f64, half: f64) -> Self {
-        let HalfArc { sin, cos, .. } = HalfArc::of(0.5 * middle);
-        let one_minus_cos_middle = 2.0 * sin * sin;
+    pub(crate) fn over(middle: F, half: F) -> Self {
+        let HalfArc { sin, cos, .. } = HalfArc::of(middle * 0.5);
+        let one_minus_cos_middle = sin * sin * 2.0;
         let one_minus_sinc = HalfArc::of(half).excess / half;
         Self {
-            sin: 2.0 * sin * cos * (1.0 - one_minus_sinc),
+            sin: sin * cos * 2.0 * (-one_minus_sinc + 1.0),
             one_minus_cos: one_minus_cos_middle + one_minus_sinc - one_minus_cos_middle * one_minus_sinc,
         }
     }

@@ -7,9 +7,8 @@
 //!
 //! What has lanes must be inlined into the function that was compiled for them, hence `inline(always)` throughout.
 
-use super::elementary;
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f64x8};
+use fearless_simd::{Simd, f64x8, u64x8};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Lanes side by side.
@@ -33,17 +32,41 @@ pub(crate) trait Number:
     fn abs(self) -> Self;
     /// |x| with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-    /// e^x for x ≤ 700.
-    fn exp(self) -> Self;
-    /// ln x of a normal number greater than 0.
-    fn ln(self) -> Self;
-    /// 1 − e^−x for x ≥ 0, to full relative precision.
-    fn saturation(self) -> Self;
+    /// √x.
+    fn sqrt(self) -> Self;
+    /// The larger of x and `least`; NaN stays.
+    fn at_least(self, least: f64) -> Self;
+    /// The smaller of x and `most`; NaN stays.
+    fn at_most(self, most: f64) -> Self;
+    /// `this` where x ≥ 0, and the `other` elsewhere.
+    fn if_not_negative(self, this: Self, other: Self) -> Self;
+    /// Whether no number is larger than `most`, nor NaN.
+    fn all_at_most(self, most: f64) -> bool;
+    /// 2^k of a whole number k that lies in the last bits.
+    fn power_of_two(self) -> Self;
+    /// k and m with x = 2^k m and m from √½ to √2, of a normal number greater than 0.
+    fn exponent_and_mantissa(self) -> (Self, Self);
     /// What `f` gives for each lane.
     fn by_lane(self, f: impl FnMut(usize) -> f64) -> Self;
     /// The number in a lane.
     fn lane(&self, lane: usize) -> f64;
 }
+
+/// Numbers that go together with one of kind `K`: the same for all lanes, or with lanes of its own.
+pub(crate) trait Beside<K>: Number + Add<K, Output = Self> + Sub<K, Output = Self> + Mul<K, Output = Self> {}
+
+impl<K, F: Number + Add<K, Output = F> + Sub<K, Output = F> + Mul<K, Output = F>> Beside<K> for F {}
+
+const MANTISSA_BITS: u32 = 52;
+const MANTISSA: u64 = (1 << MANTISSA_BITS) - 1;
+const BIAS: u64 = 1023;
+
+/// √½, from which mantissas begin, and how far 1 lies above it in bits.
+const LEAST_MANTISSA: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
+const TO_ONE: u64 = 1.0_f64.to_bits() - LEAST_MANTISSA;
+
+/// 2^52: its bits set above those of a small integer make it a double.
+const TWO_52: f64 = 4_503_599_627_370_496.0;
 
 impl Number for f64 {
     #[inline(always)]
@@ -62,19 +85,40 @@ impl Number for f64 {
     }
 
     #[inline(always)]
-    fn exp(self) -> Self {
-        self.exp()
+    fn sqrt(self) -> Self {
+        self.sqrt()
     }
 
     #[inline(always)]
-    fn ln(self) -> Self {
-        self.ln()
+    fn at_least(self, least: f64) -> Self {
+        if self < least { least } else { self }
     }
 
     #[inline(always)]
-    fn saturation(self) -> Self {
-        // The subtraction costs one digit at 0.1 and all of them at 0; exp_m1 does not, but takes three times as long.
-        if self > 0.1 { 1.0 - (-self).exp() } else { -(-self).exp_m1() }
+    fn at_most(self, most: f64) -> Self {
+        if self > most { most } else { self }
+    }
+
+    #[inline(always)]
+    fn if_not_negative(self, this: Self, other: Self) -> Self {
+        if self >= 0.0 { this } else { other }
+    }
+
+    #[inline(always)]
+    fn all_at_most(self, most: f64) -> bool {
+        self <= most
+    }
+
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Self::from_bits(self.to_bits().wrapping_add(BIAS) << MANTISSA_BITS)
+    }
+
+    #[inline(always)]
+    fn exponent_and_mantissa(self) -> (Self, Self) {
+        let shifted = self.to_bits().wrapping_add(TO_ONE);
+        let exponent = Self::from_bits((shifted >> MANTISSA_BITS) | TWO_52.to_bits()) - (TWO_52 + BIAS as f64);
+        (exponent, Self::from_bits((shifted & MANTISSA) + LEAST_MANTISSA))
     }
 
     #[inline(always)]
@@ -105,18 +149,42 @@ impl<S: Simd> Number for f64x8<S> {
     }
 
     #[inline(always)]
-    fn exp(self) -> Self {
-        elementary::exp(self)
+    fn sqrt(self) -> Self {
+        self.simd.sqrt_f64x8(self)
     }
 
     #[inline(always)]
-    fn ln(self) -> Self {
-        elementary::ln(self)
+    fn at_least(self, least: f64) -> Self {
+        let least = Self::splat(self.simd, least);
+        self.simd_lt(least).select(least, self)
     }
 
     #[inline(always)]
-    fn saturation(self) -> Self {
-        elementary::saturation(self)
+    fn at_most(self, most: f64) -> Self {
+        let most = Self::splat(self.simd, most);
+        self.simd_gt(most).select(most, self)
+    }
+
+    #[inline(always)]
+    fn if_not_negative(self, this: Self, other: Self) -> Self {
+        self.simd_ge(Self::splat(self.simd, 0.0)).select(this, other)
+    }
+
+    #[inline(always)]
+    fn all_at_most(self, most: f64) -> bool {
+        self.simd_le(Self::splat(self.simd, most)).all_true()
+    }
+
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        ((self.bitcast::<u64x8<S>>() + BIAS) << MANTISSA_BITS).bitcast()
+    }
+
+    #[inline(always)]
+    fn exponent_and_mantissa(self) -> (Self, Self) {
+        let shifted = self.bitcast::<u64x8<S>>() + TO_ONE;
+        let exponent = ((shifted >> MANTISSA_BITS) | TWO_52.to_bits()).bitcast::<Self>() - (TWO_52 + BIAS as f64);
+        (exponent, ((shifted & MANTISSA) + LEAST_MANTISSA).bitcast())
     }
 
     #[inline(always)]

@@ -2,6 +2,6 @@
 
 pub(crate) mod brent;
 pub(crate) mod circular;
-mod elementary;
+pub(crate) mod elementary;
 pub(crate) mod gauss_legendre;
 pub(crate) mod lanes;

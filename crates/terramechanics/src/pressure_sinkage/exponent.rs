@@ -91,6 +91,13 @@ impl SinkageExponent {
     }
 }
 
+impl SinkageExponent {
+    /// Whether it is the same at any slip.
+    pub(crate) fn is_fixed(&self) -> bool {
+        self.slip_gain == 0.0 && self.skid_gain.is_none_or(|gain| gain == 0.0)
+    }
+}
+
 impl Parametrised for SinkageExponent {
     const PARAMETERS: &'static [Parameter] = &[Self::BASE, Self::SLIP_GAIN, Self::SKID_GAIN];
 

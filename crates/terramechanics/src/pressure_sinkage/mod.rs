@@ -16,6 +16,8 @@ pub use reece::Reece;
 use crate::caution::Caution;
 use crate::error::Error;
 use crate::law::family;
+use crate::numerics::elementary::Elementary;
+use crate::numerics::lanes::Number;
 use crate::slip::Slip;
 
 family! {
@@ -68,8 +70,19 @@ impl PressureCurve {
     #[inline]
     #[must_use]
     pub fn pressure(&self, depth: f64) -> f64 {
-        self.modulus * depth.powf(self.exponent)
+        // The logarithm is that of a normal number.
+        if depth >= f64::MIN_POSITIVE {
+            pressure(self.modulus, self.exponent, depth)
+        } else {
+            self.modulus * depth.powf(self.exponent)
+        }
     }
+}
+
+/// Pressure p (Pa) at a depth z (m) greater than 0, by the modulus K_s (Pa/m^N) and the exponent N (–). Eq. (1).
+#[inline(always)]
+pub(crate) fn pressure<F: Number>(modulus: F, exponent: F, depth: F) -> F {
+    (depth.ln() * exponent).exp() * modulus
 }
 
 impl PressureSinkage {

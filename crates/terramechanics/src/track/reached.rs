@@ -7,7 +7,7 @@ use crate::coupled::Coupled;
 use crate::error::Error;
 use crate::forces::{Components, Forces, ShapeIntegrals};
 use crate::motion::{Heading, Motion};
-use crate::operation::{KnownSinkage, Sinkage};
+use crate::operating_point::{KnownSinkage, Sinkage};
 use crate::outcome::Outcome;
 use crate::pull_from_torque::CoupledForces;
 use crate::rolling::WheelOnSoil;

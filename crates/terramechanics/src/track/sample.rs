@@ -1,7 +1,7 @@
 //! A sample of the telemetry, and the row that is computed for it.
 
 use crate::motion::Velocities;
-use crate::operation::Sinkage;
+use crate::operating_point::Sinkage;
 
 /// How the motion of a sample is known.
 #[derive(Debug, Clone, Copy, PartialEq)]

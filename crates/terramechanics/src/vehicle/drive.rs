@@ -4,7 +4,8 @@ use super::{Drive, Told, Vehicle, VehicleError, rut};
 use crate::caution::Caution;
 use crate::error::Error;
 use crate::forces::Forces;
-use crate::operation::{Operation, Sinkage};
+use crate::operating_point::Sinkage;
+use crate::operation::Operation;
 use crate::outcome::{Outcome, cautions};
 use crate::slip::Slip;
 

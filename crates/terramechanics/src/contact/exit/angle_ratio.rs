@@ -5,6 +5,7 @@
 //! (see [`SinkageRatio`](super::SinkageRatio)). No departures; the paper was not read.
 
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, DING_2015};
 
@@ -28,17 +29,13 @@ impl AngleRatio {
         presence: Presence::Default(0.0),
     };
 
-    #[inline]
-    pub(super) fn exit(&self, entry: f64, _depth_ratio: f64) -> f64 {
-        self.c3 * entry
+    #[inline(always)]
+    pub(super) fn exit<F: Number>(&self, entry: F, _depth_ratio: F) -> F {
+        entry * self.c3
     }
 
     pub(super) fn entry_of(&self, angle: f64) -> Option<f64> {
         (self.c3 > 0.0).then(|| angle / self.c3)
-    }
-
-    pub(super) fn rate(&self, _entry: f64, _exit: f64) -> f64 {
-        self.c3
     }
 }
 

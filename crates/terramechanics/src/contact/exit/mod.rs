@@ -7,6 +7,7 @@ pub use angle_ratio::AngleRatio;
 pub use sinkage_ratio::SinkageRatio;
 
 use crate::law::family;
+use crate::numerics::lanes::Number;
 
 family! {
     /// Rule for the exit angle θ2.
@@ -25,12 +26,27 @@ family! {
     /// The entry angle (rad) of the contact whose exit lies at `angle` (rad) ahead of the lowest point, if the rule has any exit
     /// there.
     pub(super) fn entry_of(&self, angle: f64) -> Option<f64>;
-
-    /// dθ2/dθ1 (–) in a contact that the rule gave, as the wheel sinks.
-    pub(super) fn rate(&self, entry: f64, exit: f64) -> f64;
 }
 
 impl ExitRule {
+    /// The same as [`ExitRule::exit`], for one contact or several side by side.
+    #[inline(always)]
+    pub(super) fn place<F: Number>(&self, entry: F, depth_ratio: F) -> F {
+        match self {
+            Self::AngleRatio(rule) => rule.exit(entry, depth_ratio),
+            Self::SinkageRatio(rule) => rule.exit(entry, depth_ratio),
+        }
+    }
+
+    /// dθ2/dθ1 (–) as the wheel sinks, at z/r.
+    #[inline(always)]
+    pub(super) fn rate<F: Number>(&self, depth_ratio: F) -> F {
+        match self {
+            Self::AngleRatio(rule) => depth_ratio.like(rule.c3),
+            Self::SinkageRatio(rule) => rule.rate(depth_ratio),
+        }
+    }
+
     /// The exit at the lowest point.
     pub const LOWEST_POINT: Self = Self::AngleRatio(AngleRatio { c3: 0.0 });
 }

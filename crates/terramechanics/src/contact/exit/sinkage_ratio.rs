@@ -7,6 +7,7 @@
 
 use crate::contact::angle_at_depth;
 use crate::law::Declared;
+use crate::numerics::lanes::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, ISHIGAMI};
 
@@ -30,9 +31,9 @@ impl SinkageRatio {
         presence: Presence::Required,
     };
 
-    #[inline]
-    pub(super) fn exit(&self, _entry: f64, depth_ratio: f64) -> f64 {
-        -angle_at_depth(self.ratio * depth_ratio)
+    #[inline(always)]
+    pub(super) fn exit<F: Number>(&self, _entry: F, depth_ratio: F) -> F {
+        -angle_at_depth(depth_ratio * self.ratio)
     }
 
     pub(super) fn entry_of(&self, _angle: f64) -> Option<f64> {
@@ -40,8 +41,10 @@ impl SinkageRatio {
     }
 
     /// By 1 − cos θ2 = η (1 − cos θ1).
-    pub(super) fn rate(&self, entry: f64, exit: f64) -> f64 {
-        (0.5 * exit).tan() / (0.5 * entry).tan()
+    #[inline(always)]
+    pub(super) fn rate<F: Number>(&self, depth_ratio: F) -> F {
+        // tan(θ2/2)/tan(θ1/2), and tan² of half the angle is (z/r)/(2 − z/r) at a depth z.
+        -((-depth_ratio + 2.0) * self.ratio / (-(depth_ratio * self.ratio) + 2.0)).sqrt()
     }
 }
 

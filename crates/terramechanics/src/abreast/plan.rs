@@ -1,0 +1,168 @@
+//! From an operation to the numbers that a closed form takes, and back to an operating point.
+
+use super::{Found, Setting, Shared, Sought};
+use crate::braking::Braking;
+use crate::circles::{Kinematics, Rings};
+use crate::contact::{Contact, ExitRule};
+use crate::forces::{Changing, ForceModel, Lambda, Method};
+use crate::load::{CarriedLoad, bekker_estimate};
+use crate::operating_point::{KnownSinkage, OperatingPoint, Sinkage};
+use crate::pressure_sinkage::{Plate, PressureCurve, PressureSinkage};
+use crate::rolling::WheelOnSoil;
+use crate::slip::Slip;
+use crate::strength::Strength;
+
+/// What points of one wheel on one soil have in common, where a closed form gives their forces.
+pub(crate) struct Plan<'a> {
+    pub(super) shared: Shared<'a>,
+    system: &'a WheelOnSoil,
+    sinkage: Sinkage,
+    law: Option<&'a PressureSinkage>,
+    plate: Plate,
+    /// The numbers that do not change with slip.
+    fixed: Setting,
+    /// Pressure over depth, where that does not change with slip.
+    fixed_curve: Option<PressureCurve>,
+}
+
+impl<'a> Plan<'a> {
+    /// None for a method that is no closed form, and for what a point alone refuses.
+    #[inline(always)]
+    pub(crate) fn of(system: &'a WheelOnSoil, model: &'a ForceModel, sinkage: &Sinkage) -> Option<Self> {
+        if !takes(&model.method) {
+            return None;
+        }
+        let WheelOnSoil { wheel, soil, contact } = system;
+        let (sought, load) = match *sinkage {
+            Sinkage::Given(_) | Sinkage::FromStatic { .. } => (Sought::Forces, f64::NAN),
+            Sinkage::UnderLoad { load, .. } => (Sought::ForcesUnderLoad, load),
+            Sinkage::CarryingLoad(load) => (Sought::Balance, load),
+        };
+        if sought != Sought::Forces && WheelOnSoil::NORMAL_LOAD.check(load).is_err() {
+            return None;
+        }
+        if sought == Sought::Balance && !leaves_at_lowest_point(contact) {
+            return None;
+        }
+        let law = soil.pressure_sinkage();
+        let strength = Strength::of(soil, contact.params().interface.as_ref()).ok()?;
+        let (rings, leverage) = (Rings::of(contact.circles(), wheel), model.leverage(system, &strength));
+        let by = Changing { method: &model.method, contact, shear: soil.shear()? };
+        let radius = wheel.radius();
+        let [slip, modulus, exponent] = [f64::NAN; 3];
+        let fixed = Setting { radius, rings, leverage, slip, sinkage: f64::NAN, modulus, exponent, load };
+        let shared = Shared { by, sought, lugged: rings.offset != 0.0 };
+        let mut plan = Self { shared, system, sinkage: *sinkage, law, plate: system.plate(), fixed, fixed_curve: None };
+        if law.is_none_or(|law| law.exponent().is_fixed()) {
+            plan.fixed_curve = plan.curve(Slip::ROLLING);
+        }
+        Some(plan)
+    }
+
+    /// The numbers at `slip`, where a balance is perhaps `near` a sinkage (m); none for what is left to a point alone.
+    #[inline(always)]
+    pub(super) fn setting(&self, slip: Slip, near: Option<f64>) -> Option<Setting> {
+        if slip.is_locked() || self.has_two_zones(slip) {
+            return None;
+        }
+        let curve = match self.fixed_curve {
+            Some(curve) => curve,
+            None => self.curve(slip)?,
+        };
+        let sinkage = match self.sinkage {
+            Sinkage::Given(sinkage) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(sinkage), .. } => sinkage,
+            Sinkage::FromStatic { static_sinkage, law }
+            | Sinkage::UnderLoad { sinkage: KnownSinkage::FromStatic { static_sinkage, law }, .. } => {
+                law.sinkage(static_sinkage, slip)
+            }
+            Sinkage::CarryingLoad(load) => {
+                if Kinematics::at(&self.fixed.rings, slip.ratio()).skid > 0.0 {
+                    return None;
+                }
+                near.unwrap_or_else(|| bekker_estimate(&self.system.wheel, &curve, load)).min(self.fixed.radius)
+            }
+        };
+        let inside = sinkage > 0.0 && sinkage <= self.fixed.radius;
+        let PressureCurve { modulus, exponent } = curve;
+        inside.then_some(Setting { slip: slip.ratio(), sinkage, modulus, exponent, ..self.fixed })
+    }
+
+    /// The numbers that do not change with slip; the others are none.
+    pub(super) fn fixed(&self) -> &Setting {
+        &self.fixed
+    }
+
+    /// Whether the contact is the same at any slip.
+    pub(super) fn has_one_contact(&self) -> bool {
+        let has_one_sinkage = match self.sinkage {
+            Sinkage::Given(_) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(_), .. } => true,
+            Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } | Sinkage::CarryingLoad(_) => false,
+        };
+        has_one_sinkage && !self.shared.by.contact.peak_moves_with_slip()
+    }
+
+    #[inline(always)]
+    fn has_two_zones(&self, slip: Slip) -> bool {
+        self.shared.by.contact.braking() != Braking::OneZone && Kinematics::at(&self.fixed.rings, slip.ratio()).skid > 0.0
+    }
+
+    /// Pressure over depth; with an exponent that is no number where a known load does without.
+    #[inline(always)]
+    fn curve(&self, slip: Slip) -> Option<PressureCurve> {
+        match (self.shared.sought, self.law) {
+            (Sought::ForcesUnderLoad, Some(law)) => law.shape(slip).ok(),
+            (Sought::ForcesUnderLoad, None) => Some(PressureCurve { modulus: 1.0, exponent: f64::NAN }),
+            (_, Some(law)) => law.curve(&self.plate, slip).ok(),
+            (_, None) => None,
+        }
+    }
+
+    /// The point at `slip`; none for what is left to another way.
+    #[inline]
+    pub(crate) fn alone(&self, slip: Slip, near: Option<f64>) -> Option<OperatingPoint> {
+        let setting = self.setting(slip, near)?;
+        self.point(slip, setting.exponent, &self.shared.find_alone(&setting)?)
+    }
+
+    /// The point that was found; none where it is not one.
+    #[inline(always)]
+    pub(super) fn point(&self, slip: Slip, exponent: f64, found: &Found) -> Option<OperatingPoint> {
+        let Found { sinkage, angles, modulus, left, .. } = *found;
+        let forces = found.forces.summed();
+        let is_point = forces.is_finite() && angles.are_in_order() && left <= crate::approach::LINEAR;
+        let is_met = match self.shared.sought {
+            Sought::Forces => true,
+            Sought::ForcesUnderLoad => modulus > 0.0 || exponent.is_nan(),
+            Sought::Balance => {
+                let carried = CarriedLoad { sinkage, residual: forces.normal - self.fixed.load, iterations: 0, forces };
+                sinkage <= self.fixed.radius && carried.is_met(self.fixed.load)
+            }
+        };
+        if !(is_point && is_met) {
+            return None;
+        }
+        let curve = if exponent.is_nan() { None } else { Some(PressureCurve { modulus, exponent }) };
+        let normal_stress_from = self.sinkage.normal_stress_from();
+        Some(OperatingPoint { slip, sinkage, angles, curve, granular_stiffness: None, normal_stress_from, forces })
+    }
+}
+
+/// Whether the method is a closed form whose constants are numbers.
+#[inline]
+fn takes(method: &Method) -> bool {
+    match *method {
+        Method::Explicit { lambda_a, lambda_b, .. } => {
+            [lambda_a, lambda_b].iter().all(|lambda| !matches!(lambda, Lambda::Given(value) if !value.is_finite()))
+        }
+        Method::Linearised { .. } => true,
+        Method::Quadrature | Method::SideSlipping(_) | Method::ResistiveForce => false,
+    }
+}
+
+/// Whether every contact leaves the soil at the lowest point: F_z then grows with z, and any balance is the one.
+fn leaves_at_lowest_point(contact: &Contact) -> bool {
+    match contact.params().exit {
+        ExitRule::AngleRatio(rule) => rule.c3 == 0.0,
+        ExitRule::SinkageRatio(rule) => rule.ratio == 0.0,
+    }
+}

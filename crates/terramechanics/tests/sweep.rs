@@ -1,0 +1,83 @@
+//! A sweep has the points that its slips have alone, although it finds them together.
+
+mod common;
+
+use common::{CIRCLES, LUGS, REFERENCE_CASES, cases, model_of, slip, system_of};
+use terramechanics::{KnownSinkage, OperatingPoint, Operation, Sinkage, Slip, SlipSinkage, SlipSweep};
+
+/// A solved sinkage ends where its search does, which starts elsewhere within a sweep.
+const SOLVED: f64 = 1e-12;
+
+fn slips() -> Vec<Slip> {
+    (0..=70).map(|i| slip(-1.0 + 2.0 * f64::from(i) / 70.0)).collect()
+}
+
+/// Every operation of the cases by three methods, and the sweep of each.
+fn sweeps(sinkage_of: impl Fn(f64) -> Sinkage) -> impl Iterator<Item = (Operation, SlipSweep)> {
+    let cases: Vec<_> = [REFERENCE_CASES, LUGS, CIRCLES].into_iter().flat_map(cases).step_by(4).collect();
+    let operations: Vec<_> = cases
+        .iter()
+        .flat_map(|case| {
+            let input = &case["input"];
+            let sinkage = sinkage_of(input["sinkage_m"].as_f64().expect("a sinkage"));
+            ["quadrature", "linearised", "explicit"].map(|method| Operation {
+                system: system_of(input),
+                model: model_of(input, method),
+                sinkage,
+            })
+        })
+        .collect();
+    operations.into_iter().map(|operation| (operation, SlipSweep::of(&operation, &slips())))
+}
+
+fn have_the_same_bits(sinkage_of: impl Fn(f64) -> Sinkage) {
+    let mut points = 0;
+    for (operation, sweep) in sweeps(sinkage_of) {
+        assert_eq!(sweep.rows.len(), slips().len());
+        for (row, slip) in sweep.rows.iter().zip(slips()) {
+            assert_eq!((row.slip, row.point), (slip, operation.at(slip)), "{operation:?}");
+            points += usize::from(row.point.is_ok());
+        }
+    }
+    assert!(points > 3000, "only {points} points");
+}
+
+#[test]
+fn a_row_at_a_given_sinkage_is_its_point_to_the_last_bit() {
+    have_the_same_bits(Sinkage::Given);
+}
+
+#[test]
+fn a_row_at_a_sinkage_that_follows_the_slip_is_its_point_to_the_last_bit() {
+    have_the_same_bits(|sinkage| Sinkage::FromStatic { static_sinkage: 0.3 * sinkage, law: SlipSinkage::Lyasko });
+}
+
+#[test]
+fn a_row_under_a_known_load_is_its_point_to_the_last_bit() {
+    have_the_same_bits(|sinkage| Sinkage::UnderLoad { sinkage: KnownSinkage::Given(sinkage), load: 50.0 });
+}
+
+#[test]
+fn a_row_that_carries_a_load_is_its_point_within_the_tolerance_of_the_search() {
+    let mut points = 0;
+    for (operation, sweep) in sweeps(|_| Sinkage::CarryingLoad(30.0)) {
+        for row in &sweep.rows {
+            let alone = operation.at(row.slip);
+            let (Ok(point), Ok(alone)) = (row.point, alone) else {
+                assert_eq!(row.point.is_ok(), alone.is_ok(), "{operation:?} at {:?}", row.slip);
+                continue;
+            };
+            let off = |part: fn(&OperatingPoint) -> f64, scale: f64| (part(&point) - part(&alone)).abs() / scale;
+            let forces = &alone.forces;
+            for off in [
+                off(|point| point.sinkage, alone.sinkage),
+                off(|point| point.forces.longitudinal, forces.longitudinal_scale()),
+                off(|point| point.forces.torque, forces.torque.abs().max(forces.longitudinal_scale() * 1e-2)),
+            ] {
+                assert!(off <= SOLVED, "{operation:?} at {:?}: off by {off:e}", row.slip);
+            }
+            points += 1;
+        }
+    }
+    assert!(points > 1000, "only {points} points");
+}
