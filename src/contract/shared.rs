@@ -1,5 +1,6 @@
 //! Makes one component of what several operations say alike: their failures and their parameters.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use terramechanics_reading::component_name;
@@ -62,23 +63,25 @@ impl<T: Clone + PartialEq> Alike<T> {
         }
     }
 
-    /// The thing that the name stands for: the one in most places, where those are more than one.
-    fn of_name(&self, name: &str) -> Option<&T> {
-        let (thing, places) = self.0.get(name)?.iter().max_by_key(|(_, places)| *places)?;
-        (*places > 1).then_some(thing)
+    /// The things of a name that stand in several places, those in most places first, each with the name of its component.
+    fn shared(&self, name: &str) -> impl Iterator<Item = (String, &T)> {
+        let mut several: Vec<_> = self.0.get(name).into_iter().flatten().filter(|(_, places)| *places > 1).collect();
+        several.sort_by_key(|(_, places)| Reverse(*places));
+        let component = move |i: usize| if i == 0 { name.to_owned() } else { format!("{name}-{}", i + 1) };
+        several.into_iter().enumerate().map(move |(i, (thing, _))| (component(i), thing))
     }
 
     fn refer(&self, thing: &mut RefOr<T>, name: impl Fn(&T) -> Option<String>, kind: &str) {
         let RefOr::T(own) = thing else { return };
         if let Some(name) = name(own)
-            && self.of_name(&name) == Some(own)
+            && let Some((component, _)) = self.shared(&name).find(|(_, shared)| *shared == own)
         {
-            *thing = RefOr::Ref(Ref::new(format!("#/components/{kind}/{name}")));
+            *thing = RefOr::Ref(Ref::new(format!("#/components/{kind}/{component}")));
         }
     }
 
-    fn into_components(self) -> impl Iterator<Item = (String, RefOr<T>)> {
-        let names: Vec<String> = self.0.keys().cloned().collect();
-        names.into_iter().filter_map(move |name| self.of_name(&name).cloned().map(|thing| (name, RefOr::T(thing))))
+    fn into_components(self) -> Vec<(String, RefOr<T>)> {
+        let named = |(component, thing): (String, &T)| (component, RefOr::T(thing.clone()));
+        self.0.keys().flat_map(|name| self.shared(name)).map(named).collect()
     }
 }

@@ -431,8 +431,9 @@ fn every_numeric_bound_is_enforced_just_outside_and_accepted_on_the_edge() {
             {
                 let body = surroundings(&path, field, value);
                 let answer = post(&path, &body);
-                // A query has no lists of objects, such as the stations of a rover.
-                let in_a_query = !field.pointer.ends_with("/0") && body.get("stations").is_none();
+                // A query has no lists, such as the stations of a rover.
+                let in_a_query =
+                    !field.pointer.ends_with("/0") && body.get("stations").is_none() && !body["slope_rad"].is_array();
                 if document["paths"][&path].get("get").is_some() && in_a_query {
                     let twin = get(&format!("{path}?{}", query_of(&body)));
                     assert_eq!((twin.status, &twin.text), (answer.status, &answer.text), "{path}?{}", query_of(&body));

@@ -106,8 +106,20 @@ fn every_number_of_a_request_has_a_unit() {
         numbers(&document, schema, "", &mut found);
     }
     assert!(found.len() > 200, "{}", found.len());
-    // The values of an axis or a variable are in the unit of its field, and a limit in that of its formula.
+    // The values of an axis, a variable or a distribution are in the unit of its field, a limit in that of its formula or quantity.
     let of_others = [
+        "/conditions/above",
+        "/conditions/below",
+        "/correlation",
+        "/inputs/high",
+        "/inputs/low",
+        "/inputs/mean",
+        "/inputs/mode",
+        "/inputs/standard_deviation",
+        "/inputs/values",
+        "/axis/from",
+        "/axis/to",
+        "/axis/values",
         "/axes/from",
         "/axes/to",
         "/axes/values",
