@@ -5,7 +5,7 @@ mod read;
 use std::borrow::Cow;
 
 use utoipa::openapi::path::Parameter;
-use utoipa::openapi::schema::{AdditionalProperties, Discriminator, ObjectBuilder, OneOfBuilder};
+use utoipa::openapi::schema::{AdditionalProperties, Discriminator, ObjectBuilder, OneOfBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 
 use crate::fault::Scope;
@@ -154,6 +154,9 @@ impl Tagged {
     fn values(&self, doc: &str) -> RefOr<Schema> {
         let object =
             ObjectBuilder::new().description(Some(doc)).additional_properties(Some(AdditionalProperties::FreeForm(false)));
+        // Named, so that readers of the schema tell this form from those with a word; else the fields of all are in each.
+        let no_word = ObjectBuilder::new().schema_type(Type::Null).description(Some("Absent; with a word it is a whole law."));
+        let object = object.property(self.tag, no_word);
         let object = self.shared().into_iter().fold(object, |object, Shared { name, meaning, number }| {
             // What holds where it is absent is not the form's default.
             object.property(name, number.without_default().schema(&meaning))
