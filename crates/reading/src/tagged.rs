@@ -32,7 +32,7 @@ pub struct Tagged {
     pub suffix: &'static str,
     /// The forms.
     pub variants: fn() -> &'static [Variant],
-    /// Fields that any form may have beside its parameters; they are read by [`Reader::within`].
+    /// Fields that any form may have beside its parameters; they are read by [`Reader::within`](crate::Reader::within).
     pub also: Group,
     /// What the object is without the word, where something else can tell its form.
     pub without_word: Option<&'static str>,
