@@ -27,8 +27,9 @@ export async function watch(context) {
   });
   context.on("requestfailed", (request) => {
     const { errorText } = request.failure();
-    // The page aborts a round whose answer it no longer needs.
-    const isGivenUp = errorText === "net::ERR_ABORTED" && request.url().startsWith(`${base}/v1/`);
+    // The page aborts a round whose answer it no longer needs, and the browser the icon of a page that it leaves.
+    const mayBeGivenUp = request.url().startsWith(`${base}/v1/`) || request.url() === `${base}/static/icon.svg`;
+    const isGivenUp = errorText === "net::ERR_ABORTED" && mayBeGivenUp;
     if (!isGivenUp) faults.push(`no answer: ${request.url()} ${errorText}`);
   });
   return { faults, refusals };
