@@ -44,6 +44,7 @@ def bodies(rows, form, columns):
     if form == ARROW:
         sink = io.BytesIO()
         writer = pyarrow.ipc.new_stream(sink, batch.schema)
+        writer.write_batch(batch.slice(0, 0))  # the schema goes out with the first batch
         head = sink.tell()
         writer.write_batch(batch)
         first, one = sink.getvalue()[:head], sink.getvalue()[head:]
