@@ -159,6 +159,11 @@ fn a_value_of_a_law_is_overridden_alone() {
     let measured = on(&tohoku, Value::Null).ok();
     assert_eq!(on(&tohoku, json!({})).ok(), measured);
     assert_ne!(on(&tohoku, json!({"c3": -0.1})).ok()["torque_n_m"], measured["torque_n_m"]);
+
+    // A word that is null was not sent.
+    let [without, null] = [json!({"n0": 1.1}), json!({"law": null, "n0": 1.1})]
+        .map(|law| on(&json!({"preset": "letter-sand", "pressure_sinkage": law}), Value::Null).text);
+    assert_eq!(without, null);
 }
 
 #[test]

@@ -34,7 +34,8 @@ impl Tagged {
         };
         let reader = Reader::new(fields, place);
         let tag = Field::required(self.tag, self.meaning, Tag(self));
-        let base = base.filter(|_| !reader.has(&tag));
+        // Beside a preset a word that is null was not sent.
+        let base = base.filter(|_| !reader.has(&Field::new(self.tag, self.meaning, Tag(self))));
         let of_base = base.and_then(|base| (self.variants)().iter().position(|variant| variant.name == base.form));
         // Most names are those of the form that is chosen.
         let form = of_base.map_or_else(|| self.form_of(fields), |index| (self.variants)().get(index));
