@@ -311,9 +311,9 @@ def one_way(parameters):
 def rover(parameters):
     """A query for a rover with what it needs; tests of the service compare the rest with the body."""
     needed = ["mass_kg", "wheels.count", "wheels.wheel.preset", "soil.preset", "slope_rad"]
-    presets = {"soil.preset": {"enum": PRESETS}, "wheels.wheel.preset": {"enum": ["letter"]}}
+    taken = {"soil.preset": {"enum": PRESETS}, "wheels.wheel.preset": {"enum": ["letter"]}, "mass_kg": {"enum": [20]}}
     kept = [of for of in parameters if of["name"] in needed]
-    return [{**of, "required": True, "schema": presets.get(of["name"], of["schema"])} for of in kept]
+    return [{**of, "required": True, "schema": taken.get(of["name"], of["schema"])} for of in kept]
 
 
 def by_soil(schema):
