@@ -8,6 +8,7 @@ pub(crate) mod catalogue;
 pub(crate) mod compare;
 pub(crate) mod coupled;
 pub(crate) mod curves;
+mod either;
 pub(crate) mod forces;
 pub(crate) mod health;
 pub(crate) mod identify;

@@ -62,9 +62,6 @@ impl ArrowRows {
     }
 
     pub(super) fn fill(&mut self, input: &mut &[u8], last: bool, block: &mut Block) -> Result<Read, Problem> {
-        if let Some(columns) = &self.columns {
-            block.with(columns);
-        }
         loop {
             if block.is_full() {
                 return Ok(Read::Full);

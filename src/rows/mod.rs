@@ -62,6 +62,9 @@ impl Reader {
     /// # Errors
     /// Where the rows cannot be read any further.
     pub(crate) fn fill(&mut self, input: &mut &[u8], last: bool, block: &mut Block) -> Result<Read, Problem> {
+        if let Some(columns) = self.columns() {
+            block.with(columns);
+        }
         match self {
             Self::Csv(reader) => reader.fill(input, last, block),
             Self::Ndjson(reader) => reader.fill(input, last, block),

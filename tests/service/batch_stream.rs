@@ -10,22 +10,19 @@ use tower::ServiceExt;
 
 use crate::asking::{request, runtime, send_to};
 use crate::batch::CSV;
+use crate::by_hand::{self, Sender, next};
 
 const PATH: &str = "/v1/batch?wheel.preset=letter&soil.preset=letter-sand&normal_load_n=80&method=explicit";
 
-type Sender = channel::Sender<Bytes, std::io::Error>;
-
-/// A body whose pieces are sent by hand, and the answer to it.
 async fn open(service: Service) -> (Sender, axum::response::Response) {
-    let (mut sender, body) = channel::Channel::<Bytes, std::io::Error>::new(1);
-    sender.send_data("slip\n0.1\n".into()).await.expect("room");
-    let request = request("POST", PATH, &[("content-type", CSV)], Body::new(body));
-    (sender, app(service).oneshot(request).await.expect("an answer"))
-}
-
-async fn next(body: &mut Body) -> String {
-    let frame = body.frame().await.expect("more").expect("no error");
-    String::from_utf8(frame.into_data().expect("data").to_vec()).expect("text")
+    by_hand::open(
+        service,
+        PATH,
+        "slip
+0.1
+",
+    )
+    .await
 }
 
 #[test]

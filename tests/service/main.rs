@@ -6,6 +6,7 @@ mod batch;
 mod batch_arrow;
 mod batch_stream;
 mod braking;
+mod by_hand;
 mod catalogue;
 mod circles;
 mod compare;

@@ -9,19 +9,18 @@ use terramechanics_server::{Limits, Service, app};
 use tower::ServiceExt;
 
 use crate::asking::{letter, request, runtime, send_to};
+use crate::by_hand::{self, Sender, next};
 use crate::track::{TABLE, path, settings};
 
-/// A body whose pieces are sent by hand, and the answer to it.
-async fn open(service: Service) -> (channel::Sender<Bytes, std::io::Error>, axum::response::Response) {
-    let (mut sender, body) = channel::Channel::<Bytes, std::io::Error>::new(1);
-    sender.send_data("time_s,slip\n0,0.1\n".into()).await.expect("room");
-    let request = request("POST", &path(&settings()), &[("content-type", "text/csv")], Body::new(body));
-    (sender, app(service).oneshot(request).await.expect("an answer"))
-}
-
-async fn next(body: &mut Body) -> String {
-    let frame = body.frame().await.expect("more").expect("no error");
-    String::from_utf8(frame.into_data().expect("data").to_vec()).expect("text")
+async fn open(service: Service) -> (Sender, axum::response::Response) {
+    by_hand::open(
+        service,
+        &path(&settings()),
+        "time_s,slip
+0,0.1
+",
+    )
+    .await
 }
 
 #[test]

@@ -9,8 +9,8 @@ use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
 use super::stop::StopReply;
-use crate::api::vehicle::rover_columns;
-use crate::quantity::{About, Field, Values, every_point_column, object_of};
+use crate::api::either;
+use crate::quantity::{About, Field, Values, object_of};
 
 /// What the operation gives at a point.
 #[derive(Debug)]
@@ -26,17 +26,6 @@ pub(super) struct FrontColumns {
 /// Name of the column that says why a search ended.
 const STOP: &str = "stop_reason";
 
-/// The quantities that there may be.
-fn fields() -> Vec<Field> {
-    let mut fields: Vec<Field> = Vec::new();
-    for about in every_point_column().map(|(about, _)| about).chain(rover_columns()) {
-        if fields.iter().all(|known| known.about.name != about.name) {
-            fields.push(Field { present: Some("where that operation has it"), ..Field::or_null(about) });
-        }
-    }
-    fields
-}
-
 impl Serialize for Quantities {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let values = self.0.iter().map(|(about, value)| (about.name, value.is_finite().then_some(value)));
@@ -46,7 +35,8 @@ impl Serialize for Quantities {
 
 impl PartialSchema for Quantities {
     fn schema() -> RefOr<Schema> {
-        object_of("What the operation gives at this point; null where a quantity has no value.", &fields(), Field::number).into()
+        object_of("What the operation gives at this point; null where a quantity has no value.", &either::fields(), Field::number)
+            .into()
     }
 }
 
@@ -91,7 +81,7 @@ impl PartialSchema for FrontColumns {
             StopReply::Evaluations.name(),
             StopReply::Rounding.name(),
         ]));
-        object_of(DOC, &fields(), Field::column)
+        object_of(DOC, &either::fields(), Field::column)
             .property("objective", numbers("The first goal."))
             .required("objective")
             .property("against", numbers("The second goal."))

@@ -9,9 +9,9 @@ use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
 use super::found::{FoundGrid, Running};
-use crate::api::vehicle::rover_columns;
+use crate::api::either;
 use crate::compute::{Pace, Stop};
-use crate::quantity::{Field, Values, every_point_column, object_of};
+use crate::quantity::{Field, Values, object_of};
 use crate::reply::AssumedReply;
 use crate::varied::{RowStatus, Varied};
 use crate::warning::Warning;
@@ -86,13 +86,6 @@ impl PartialSchema for GridColumns {
         const DOC: &str = "Columns of one length: one for each axis, named by its field with a dot between an object and its field \
                            (`wheel.radius_m`); those of the operation, null where a row has no answer; and `status`. A column that an \
                            axis has already stands there once.";
-        let of_forces = every_point_column().map(|(about, _)| about);
-        let mut fields: Vec<Field> = Vec::new();
-        for about in of_forces.chain(rover_columns()) {
-            if fields.iter().all(|known| known.about.name != about.name) {
-                fields.push(Field { present: Some("where that operation has it"), ..Field::or_null(about) });
-            }
-        }
         let statuses = RowStatus::ALL.map(RowStatus::name);
         let status = ObjectBuilder::new().schema_type(Type::String).enum_values(Some(statuses));
         let status = ArrayBuilder::new().items(status).description(Some(
@@ -100,7 +93,7 @@ impl PartialSchema for GridColumns {
         ));
         let axis =
             ArrayBuilder::new().items(ObjectBuilder::new().schema_type(Type::Number)).description(Some("The values of an axis."));
-        object_of(DOC, &fields, Field::column)
+        object_of(DOC, &either::fields(), Field::column)
             .property(STATUS, status)
             .required(STATUS)
             .additional_properties(Some(AdditionalProperties::RefOr(axis.into())))

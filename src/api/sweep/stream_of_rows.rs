@@ -3,17 +3,15 @@
 use std::time::Instant;
 
 use axum::body::Bytes;
-use serde::Serialize;
 
 use super::found::{FoundGrid, Running};
 use super::reply::{STATUS, names};
 use crate::compute::SLICE;
 use crate::problem::Problem;
 use crate::quantity::Cell;
-use crate::reply::{AssumedReply, RowFormat, comment, object};
+use crate::reply::{AssumedReply, End, RowFormat};
 use crate::stream::{PIECE, Progress, Work};
 use crate::varied::Varied;
-use crate::warning::Warning;
 
 /// Rows of a sweep, in a format that is written row by row.
 #[derive(Debug)]
@@ -43,29 +41,9 @@ impl<R: Varied> Stream<R> {
 
     fn end(&mut self, output: &mut Vec<u8>) {
         let FoundGrid { rows, warnings, assumed } = self.running.end();
-        match self.format {
-            RowFormat::Csv => {
-                for warning in &warnings {
-                    comment(&["warning", warning.code(), &warning.detail()], output);
-                }
-                comment(&["end", &rows.to_string()], output);
-            }
-            RowFormat::Ndjson => {
-                let assumed = assumed.map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
-                object(&Last { end: true, rows, warnings: &warnings, assumed }, output);
-            }
-        }
+        let assumed = assumed.map(|assumed| assumed.into_iter().map(AssumedReply::from).collect());
+        self.format.end(&End { end: true, rows: rows as u64, warnings, assumed }, output);
     }
-}
-
-/// The last line of a whole answer.
-#[derive(Serialize)]
-struct Last<'a> {
-    end: bool,
-    rows: usize,
-    warnings: &'a [Warning],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    assumed: Option<Vec<AssumedReply>>,
 }
 
 impl<R: Varied> Work for Stream<R> {

@@ -10,6 +10,7 @@ pub(crate) use variables::Varying;
 use terramechanics_optimum::{MOST_STARTS, Task};
 use terramechanics_reading::{Field, Nested, Number, Object, Path, Reader, Word};
 
+use crate::api::either::{self, Of};
 use crate::api::forces::ForcesCase;
 use crate::api::vehicle::VehicleCase;
 use crate::request::{Documented, Request};
@@ -22,22 +23,12 @@ const MOST_EVALUATIONS: u32 = 20_000;
 /// Numbers up to this are exact in JSON.
 const LARGEST_SEED: f64 = 9_007_199_254_740_991.0;
 
-/// What is evaluated at each point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Of {
-    Forces,
-    Vehicle,
-}
-
-const OF: Field<Word<Of>> = Field::required(
-    "of",
-    "What is evaluated at each point: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.",
-    Word::new(&[("forces", Of::Forces), ("vehicle", Of::Vehicle)]),
-);
+const OF: Field<Word<Of>> =
+    either::of("What is evaluated at each point: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.");
 const REQUEST: Field<Nested> = Field::required(
     "request",
     "The request that is asked at each point, as that operation takes it; a field that varies may be left out.",
-    Nested { requests: &[ForcesCase::OBJECT, VehicleCase::OBJECT] },
+    either::REQUESTS,
 );
 const STARTS: Field<Number> = Field::new(
     "starts",

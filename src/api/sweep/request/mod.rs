@@ -5,6 +5,7 @@ pub(in crate::api) mod axes;
 use terramechanics_reading::{Field, FieldFault, Nested, Object, Path, Reader, Word};
 
 use super::grid::Grid;
+use crate::api::either::{self, Of};
 use crate::api::forces::ForcesCase;
 use crate::api::vehicle::VehicleCase;
 use crate::compute::Cost;
@@ -13,22 +14,12 @@ use crate::reply::MOST_IN_COLUMNS;
 use crate::request::{Documented, Request};
 use crate::varied::{Template, Varied};
 
-/// What is computed at each point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Of {
-    Forces,
-    Vehicle,
-}
-
-const OF: Field<Word<Of>> = Field::required(
-    "of",
-    "What is computed at each point: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.",
-    Word::new(&[("forces", Of::Forces), ("vehicle", Of::Vehicle)]),
-);
+const OF: Field<Word<Of>> =
+    either::of("What is computed at each point: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.");
 const REQUEST: Field<Nested> = Field::required(
     "request",
     "The request that is asked at each point, as that operation takes it; a varied field may be left out.",
-    Nested { requests: &[ForcesCase::OBJECT, VehicleCase::OBJECT] },
+    either::REQUESTS,
 );
 
 /// A sweep, checked.

@@ -9,6 +9,7 @@ mod matrix;
 use terramechanics_reading::{Field, Flag, Label, Number, Object, Path, Reader, Word};
 use terramechanics_uncertainty::{Design, LEAST_SAMPLES, MOST_SEED};
 
+use crate::api::either::{self, Of};
 use crate::api::forces::ForcesCase;
 use crate::api::sweep::request::axes::{self, Axis};
 use crate::api::vehicle::VehicleCase;
@@ -30,22 +31,12 @@ const MOST_EVALUATIONS: usize = 1_000_000;
 /// Most values of the axis.
 const MOST_ON_AXIS: usize = 201;
 
-/// What is computed of each sample.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Of {
-    Forces,
-    Vehicle,
-}
-
-const OF: Field<Word<Of>> = Field::required(
-    "of",
-    "What is computed of each sample: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.",
-    Word::new(&[("forces", Of::Forces), ("vehicle", Of::Vehicle)]),
-);
+const OF: Field<Word<Of>> =
+    either::of("What is computed of each sample: forces, as by /v1/forces, or vehicle, a rover on one slope, as by /v1/vehicle.");
 const REQUEST: Field<Asked> = Field::required(
     "request",
     "The request that is asked with each sample, as that operation takes it; an uncertain field may be left out. Its `soil` may have \"spread\": \"catalogue\" beside its preset: then cohesion, friction angle, shear modulus and pressure–sinkage law spread over what is published of soils of that kind, save those that the soil or `inputs` have.",
-    Asked { requests: &[ForcesCase::OBJECT, VehicleCase::OBJECT] },
+    Asked { requests: either::REQUESTS.requests },
 );
 const AXIS: Field<&Object> =
     Field::new("axis", "A field that varies, of at most 201 values: there are bands at each, of the same samples.", &axes::AXIS);
