@@ -7,6 +7,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::limits::Limits;
 use crate::server::{Bounds, Slowest};
+use crate::stream::Begin;
 
 /// Forces of a wheel on soil, over HTTP: an API and a plotting page.
 #[derive(Debug, Parser)]
@@ -125,6 +126,17 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_STREAM_TIMEOUT", default_value_t = 3600, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "SECONDS")]
     pub stream_timeout: u64,
 
+    /// When the answer to a stream begins. Auto: with the first row, but after the body where its length was declared, or where
+    /// a header (Via, Forwarded, X-Forwarded-…, X-Real-IP) or HTTP/1.0 tells of a proxy, which may stop to send once an answer
+    /// begins.
+    #[arg(long, env = "TERRAMECHANICS_STREAM_BEGIN", default_value = "auto", value_name = "WHEN")]
+    pub stream_begin: Begin,
+
+    /// Bytes of temporary files for all streams that are kept until they have ended, and for one of them. Beyond that a stream
+    /// by a proxy is answered with 503 or 413, another before it has ended.
+    #[arg(long, env = "TERRAMECHANICS_SPOOL_LIMIT", default_value_t = 1 << 30, value_parser = memory(), value_name = "BYTES")]
+    pub spool_limit: u64,
+
     /// Connections that may be open at once. One more takes the place of one that waits for a request, or for 2 s for more of a
     /// body or a reader; where there is none, it has one of 16 places of a reserve, where only /healthz, /readyz and /metrics are answered, all else with 503.
     #[arg(long, env = "TERRAMECHANICS_MAX_CONNECTIONS", default_value_t = 1024, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
@@ -170,6 +182,8 @@ impl Serve {
             stream_places: usize::from(self.stream_places),
             stream_idle: Duration::from_secs(self.stream_idle_timeout),
             stream_deadline: Duration::from_secs(self.stream_timeout),
+            stream_begin: self.stream_begin,
+            spool: usize::try_from(self.spool_limit).unwrap_or(usize::MAX),
         }
     }
 

@@ -18,6 +18,7 @@ struct Shared {
     pool: Pool,
     bodies: Budget,
     answers: Budget,
+    spool: Budget,
     metrics: Metrics,
     stopping: AtomicBool,
 }
@@ -28,8 +29,9 @@ impl Service {
     pub fn new(limits: Limits) -> Self {
         let pool = Pool::new(&limits.pool());
         let (bodies, answers) = (Budget::new(limits.bodies), Budget::new(limits.answers));
+        let spool = Budget::new(limits.spool);
         let metrics = Metrics::new(&pool, &bodies, &answers);
-        Self(Arc::new(Shared { limits, pool, bodies, answers, metrics, stopping: AtomicBool::new(false) }))
+        Self(Arc::new(Shared { limits, pool, bodies, answers, spool, metrics, stopping: AtomicBool::new(false) }))
     }
 
     /// From now on the service is not ready.
@@ -57,6 +59,11 @@ impl Service {
     /// Memory for large answers.
     pub(crate) fn answers(&self) -> &Budget {
         &self.0.answers
+    }
+
+    /// Room for streams that are kept until they have ended.
+    pub(crate) fn spool(&self) -> &Budget {
+        &self.0.spool
     }
 
     /// The counters of the service.

@@ -32,6 +32,7 @@ mod presets;
 mod problems;
 mod quantities;
 mod query;
+mod relayed;
 mod resistances;
 mod resistive_force;
 mod running;

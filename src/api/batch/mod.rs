@@ -57,5 +57,7 @@ pub(crate) async fn batch(State(service): State<Service>, request: Request) -> R
     let wanted = request::wanted(request.uri())?;
     let place = service.pool().stream_place()?;
     let limits = *service.limits();
-    stream::answer_in_blocks(Batch::new(wanted, form, answer), request.into_body(), place, &limits).await
+    let (parts, body) = request.into_parts();
+    let body = stream::ready(&parts, body, service.spool(), &limits).await?;
+    stream::answer_in_blocks(Batch::new(wanted, form, answer), body, place, &limits).await
 }

@@ -83,5 +83,7 @@ async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
     }
     let Accepted { case: settings, assumed } = checked_settings(&read_query(request.uri())?).map_err(Problem::Invalid)?;
     let place = service.pool().stream_place()?;
-    Ok(Asked { run: Run::over_stream(settings, form, wanted).assuming(assumed), body: request.into_body(), place, limits })
+    let (parts, body) = request.into_parts();
+    let body = stream::ready(&parts, body, service.spool(), &limits).await?;
+    Ok(Asked { run: Run::over_stream(settings, form, wanted).assuming(assumed), body, place, limits })
 }
