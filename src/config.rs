@@ -47,6 +47,10 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_LISTEN", default_value = DEFAULT_ADDRESS, value_name = "IP:PORT")]
     pub listen: SocketAddr,
 
+    /// Where clients find the service, with the path of a proxy in front, e.g. https://example.org/soil. The contract names it.
+    #[arg(long, env = "TERRAMECHANICS_PUBLIC_URL", value_parser = public_url, value_name = "URL")]
+    pub public_url: Option<String>,
+
     /// What to log, e.g. info, debug, or terramechanics_server=debug,info.
     #[arg(long, env = "TERRAMECHANICS_LOG", default_value = "info", value_name = "FILTER")]
     pub log: String,
@@ -216,6 +220,15 @@ fn threads(text: &str) -> Result<usize, String> {
     }
 }
 
+/// An address without query, whose path has no slash at its end, because those of the contract begin with one.
+fn public_url(text: &str) -> Result<String, String> {
+    let uri: axum::http::Uri = text.parse().map_err(|_| "must be an address, such as https://example.org/soil")?;
+    match (uri.scheme_str(), uri.host(), uri.query()) {
+        (Some("http" | "https"), Some(_), None) if !text.contains('#') => Ok(text.trim_end_matches('/').to_owned()),
+        _ => Err("must be an address with http or https, such as https://example.org/soil".into()),
+    }
+}
+
 fn memory() -> clap::builder::RangedU64ValueParser {
     clap::builder::RangedU64ValueParser::new().range(64 << 10..=1 << 40)
 }
@@ -264,11 +277,24 @@ mod tests {
             ["--body-limit", "10"],
             ["--compute-places", "0"],
             ["--log-format", "xml"],
+            ["--stream-begin", "late"],
+            ["--public-url", "example.org/soil"],
+            ["--public-url", "https://example.org/soil?a=b"],
             ["--no-such", "1"],
         ] {
             assert!(Config::try_parse_from(["terramechanics"].into_iter().chain(wrong)).is_err(), "{wrong:?}");
         }
         assert!(Config::try_parse_from(["terramechanics", "--listen", "[::1]:0", "--workers", "2"]).is_ok());
+    }
+
+    #[test]
+    fn a_public_address_has_no_slash_at_its_end() {
+        for (given, kept) in
+            [("https://example.org/soil/", "https://example.org/soil"), ("http://[::1]:8080", "http://[::1]:8080")]
+        {
+            let config = Config::try_parse_from(["terramechanics", "--public-url", given]).expect("an address");
+            assert_eq!(config.serve.public_url.as_deref(), Some(kept));
+        }
     }
 
     #[test]

@@ -13,8 +13,8 @@ use axum::body::Body;
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, HeaderName, Version, header};
 use clap::ValueEnum;
-use tokio::fs::File;
 use http_body_util::{BodyDataStream, BodyExt};
+use tokio::fs::File;
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncSeekExt, AsyncWriteExt, ReadBuf};
 use tokio_util::io::{ReaderStream, StreamReader};
 
@@ -212,7 +212,9 @@ mod tests {
     #[test]
     fn a_question_is_read_as_it_was_sent_and_gives_its_room_back() {
         const ROOM: usize = 4 << 20;
-        for (length, piece) in [(0, 1), (1, 1), (IN_MEMORY, 10_000), (IN_MEMORY + 1, 10_000), (3 << 20, 70_001), (2 << 20, 2 << 20)] {
+        for (length, piece) in
+            [(0, 1), (1, 1), (IN_MEMORY, 10_000), (IN_MEMORY + 1, 10_000), (3 << 20, 70_001), (2 << 20, 2 << 20)]
+        {
             run(async {
                 let room = Budget::new(ROOM);
                 let body = keep(length, piece, &room, ROOM).await.expect("it fits");

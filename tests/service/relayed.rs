@@ -53,7 +53,10 @@ fn a_table_that_a_proxy_passes_on_is_answered_when_it_has_ended() {
 #[test]
 fn a_setting_says_when_answers_begin() {
     let path = path(&settings());
-    let (early, after) = (Limits { stream_begin: Begin::Early, ..Limits::default() }, Limits { stream_begin: Begin::AfterBody, ..Limits::default() });
+    let (early, after) = (
+        Limits { stream_begin: Begin::Early, ..Limits::default() },
+        Limits { stream_begin: Begin::AfterBody, ..Limits::default() },
+    );
     assert!(answered(early, &path, Version::HTTP_11, &[("via", "1.1 proxy")]).0);
     assert!(!answered(after, &path, Version::HTTP_11, &[]).0);
 }
