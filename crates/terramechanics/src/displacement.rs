@@ -6,8 +6,8 @@
 use crate::circles::Kinematics;
 use crate::contact::angle_at_depth;
 use crate::numerics::circular::HalfArc;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::{Beside, Number};
+use crate::numerics::elementary::Number;
+use crate::numerics::lanes::Beside;
 use crate::rim::{RimEntry, RimPoint};
 
 /// What the circle of the displacement is ahead of the rim by: nothing where it is the rim.
@@ -45,7 +45,7 @@ impl<K: Number> Lead<K> {
         let outer_entry = angle_at_depth((offset + sinkage) / outer);
         let middle = HalfArc::of((entry + outer_entry) * 0.5);
         let sin = (radius - sinkage) * offset / (radius * outer) * 0.5 / middle.sin;
-        let half_arc = sin + sin * (sin * sin).arcsin_excess();
+        let half_arc = sin.arcsin();
         let excess = HalfArc::of(half_arc).excess;
         let displacement = outer * 2.0 * (complement * half_arc + ratio * (excess + sin * middle.one_minus_cos));
         Self { arc: half_arc * 2.0, displacement }

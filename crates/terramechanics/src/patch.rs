@@ -17,7 +17,8 @@ use crate::circles::Kinematics;
 use crate::contact::{AngleRates, Angles, angle_at_depth};
 use crate::displacement::{Lead, Way};
 use crate::error::Error;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
+use crate::numerics::lanes::Arithmetic;
 use crate::rim::{RimEntry, RimPoint};
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::zones::Zones;
@@ -197,7 +198,7 @@ impl ContactPatch<'_> {
     pub(crate) fn mobilisation_rate<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
         let Rolling { strength, system, .. } = self.rolling;
         let rate = self.way().displacement_rate([system.wheel.radius(), self.sinkage], &self.entry, point, turn);
-        let x = Number::abs(self.displacement(point)) * strength.per_shear_scale;
+        let x = Arithmetic::abs(self.displacement(point)) * strength.per_shear_scale;
         self.rolling.shear().steepness(x, share) * rate * strength.per_shear_scale
     }
 

@@ -4,7 +4,7 @@ use crate::circles::Kinematics;
 use crate::contact::Contact;
 use crate::error::{Error, SoilLaw};
 use crate::fittable::{Fittable, Step, Tolerance};
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::pressure_sinkage::{Plate, PressureCurve};
 use crate::shear::{JanosiHanamoto, ShearLaw};

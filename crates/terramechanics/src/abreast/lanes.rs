@@ -5,6 +5,7 @@ use crate::circles::Rings;
 use crate::contact::Angles;
 use crate::forces::{ClosedForces, Components, Leverage};
 use crate::numerics::lanes::LANES;
+use crate::numerics::level::level;
 use crate::operating_point::OperatingPoint;
 use crate::slip::Slip;
 use fearless_simd::prelude::*;
@@ -121,7 +122,7 @@ pub(crate) struct Abreast<'a> {
 
 impl<'a> Abreast<'a> {
     pub(crate) fn of(plan: Plan<'a>) -> Self {
-        Self { plan, groups: [Group::NONE; GROUPS], found: [None; GROUPS], level: Level::new() }
+        Self { plan, groups: [Group::NONE; GROUPS], found: [None; GROUPS], level: level() }
     }
 
     /// The points at up to [`ABREAST`] `slips`, each handed to `take` with its place; those that are not found here are none. A balance
@@ -148,8 +149,10 @@ impl<'a> Abreast<'a> {
         }
         for (i, &slip) in slips.iter().enumerate() {
             let (group, lane) = (i / LANES, i % LANES);
-            let found = self.found[group].as_ref().filter(|_| is_set[i]);
-            take(i, found.and_then(|found| self.plan.point(slip, self.groups[group].exponent[lane], &found.lane(lane))));
+            let exponent = self.groups[group].exponent[lane];
+            let found = self.found[group].as_ref().filter(|_| is_set[i]).map(|found| found.lane(lane));
+            let found = found.filter(|found| self.plan.is_point(exponent, found));
+            take(i, found.map(|found| self.plan.point(slip, exponent, &found)));
         }
     }
 }

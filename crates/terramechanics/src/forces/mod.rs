@@ -13,8 +13,6 @@
 mod at_slips;
 mod closed;
 mod explicit;
-#[cfg(test)]
-mod levels;
 mod method;
 pub(crate) mod outline;
 mod panel;

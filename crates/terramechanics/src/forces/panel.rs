@@ -4,7 +4,7 @@ use super::panels::{ROUNDING, Resolved, error_of};
 use super::shearing::{Pressing, Rim, Shearing};
 use crate::contact::AngleRates;
 use crate::numerics::gauss_legendre::LaneNodes;
-use crate::numerics::lanes::{LANES, Number, sum};
+use crate::numerics::lanes::{Arithmetic, LANES, sum};
 use crate::rim::RimPoint;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8};
@@ -217,7 +217,7 @@ impl<P: Pressing> Rim<'_, P> {
             shear_cos += front_shear * front.cos + rear_shear * rear.cos;
             shear_sin += front_shear * front.sin + rear_shear * rear.sin;
             shear_plain += both_shear;
-            shear_size += Number::abs(front_shear) + Number::abs(rear_shear);
+            shear_size += Arithmetic::abs(front_shear) + Arithmetic::abs(rear_shear);
             let (high, higher) = (in_lanes(simd, &null[0]), in_lanes(simd, &null[1]));
             normal_null[0] += both_normal * high;
             normal_null[1] += both_normal * higher;

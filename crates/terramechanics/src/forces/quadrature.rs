@@ -21,13 +21,14 @@ use super::panel::{Integrals, Sums};
 use super::panels::{Edges, Resolved, TOLERANCE, integrate};
 use super::shearing::{LAYERS, Pressing, Rim, Shearing};
 use super::{Components, ForceModel, Forces};
+use crate::numerics::elementary::Number;
 use crate::numerics::gauss_legendre::{COARSE, FINE};
-use crate::numerics::lanes::Number;
+use crate::numerics::level::level;
 use crate::patch::ContactPatch;
 use crate::rim::RimPoint;
 use crate::stress::StressField;
 use crate::zones::Zones;
-use fearless_simd::{Level, dispatch};
+use fearless_simd::dispatch;
 
 /// Place in u behind which a layer at the peak has to begin, to be split off.
 const LATE: f64 = 0.7;
@@ -51,10 +52,9 @@ pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>,
     let patch = stresses.patch;
     let (rim, shearing) = (Rim::of(stresses), OneZone(patch));
     let rates = &patch.rates();
-    let level = Level::new();
     if coarse {
         let (sums, changes) =
-            dispatch!(level, simd => rim.sums_and_changes::<_, _, _, true>(simd, &COARSE, &shearing, [0.0, 1.0], rates));
+            dispatch!(level(), simd => rim.sums_and_changes::<_, _, _, true>(simd, &COARSE, &shearing, [0.0, 1.0], rates));
         return Some((forces_of(model, patch, &sums.integrals, sums.relative_error()), forces_of(model, patch, &changes, 0.0)));
     }
     let edges = shearing.edges(&rim);
@@ -62,7 +62,7 @@ pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>,
         let (mut sums, mut changes) = (Sums::default(), Integrals::default());
         for range in edges.ranges(1 << halvings) {
             let (more, further) =
-                dispatch!(level, simd => rim.sums_and_changes::<_, _, _, true>(simd, &FINE, &shearing, range, rates));
+                dispatch!(level(), simd => rim.sums_and_changes::<_, _, _, true>(simd, &FINE, &shearing, range, rates));
             sums.add(&more);
             changes.add(&further);
         }
@@ -101,10 +101,7 @@ pub(super) fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals:
 
 /// The integrals, from at most `FEW` panels to begin with.
 fn integrals<P: Pressing, S: Shearing<P>, const FEW: usize>(rim: &Rim<'_, P>, shearing: &S) -> Sums {
-    integrate::<_, FEW>(
-        &shearing.edges(rim),
-        |from, to| dispatch!(Level::new(), simd => rim.sums(simd, &FINE, shearing, [from, to])),
-    )
+    integrate::<_, FEW>(&shearing.edges(rim), |from, to| dispatch!(level(), simd => rim.sums(simd, &FINE, shearing, [from, to])))
 }
 
 /// The integrals of a contact of two zones. Apart, so that other contacts do not carry its code along.

@@ -2,8 +2,7 @@
 
 use super::panels::Edges;
 use crate::contact::Angles;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
 use crate::rim::{EntryArc, RimPoint};
