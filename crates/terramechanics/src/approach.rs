@@ -4,10 +4,10 @@
 //! the square of the error. One pass over the contact gives the forces and their slopes. The first passes take few nodes; the last
 //! takes all, and where its step is so small that the forces are linear in it, they are corrected instead of computed anew.
 //!
-//! On a wheel whose circle of displacement does not skid and whose exit is at the lowest point, F_z grows with z: any balance is the
-//! one. Elsewhere, and wherever a step goes astray, the search in a bracket (`load.rs`) decides.
+//! On a wheel whose circle of displacement does not skid and whose exit is at the lowest point, F_z grows with z, and so it does in
+//! grains: any balance is the one. Elsewhere, and wherever a step goes astray, the search in a bracket (`load.rs`) decides.
 
-use crate::forces::{ForceModel, Forces};
+use crate::forces::{ForceModel, Forces, Method, resistive};
 use crate::load::CarriedLoad;
 use crate::rolling::Rolling;
 
@@ -38,8 +38,7 @@ impl ForceModel {
     /// The balance with `load` (N) near the sinkage `guess` (m), which is `close` where it comes from a neighbour; none where it is
     /// not unique or the method finds no way.
     pub(crate) fn approach(&self, rolling: &Rolling<'_>, load: f64, guess: f64, close: bool) -> Option<CarriedLoad> {
-        let kinematics = &rolling.kinematics;
-        if !self.has_slopes() || rolling.reversal.is_some() || kinematics.skid > 0.0 || rolling.slip.is_locked() {
+        if !self.has_one_balance(rolling) {
             return None;
         }
         let radius = rolling.system.wheel.radius();
@@ -66,11 +65,30 @@ impl ForceModel {
         None
     }
 
-    /// The forces at a sinkage (m) and the step from there.
-    fn pass(&self, rolling: &Rolling<'_>, load: f64, sinkage: f64, coarse: bool) -> Option<Pass> {
+    /// Whether the method has slopes, and F_z grows with z where the contact leaves at the lowest point.
+    fn has_one_balance(&self, rolling: &Rolling<'_>) -> bool {
+        match self.method {
+            Method::ResistiveForce => true, // all of the edge is pushed up, see `response.rs`
+            Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => {
+                let skids = rolling.kinematics.skid > 0.0 || rolling.slip.is_locked();
+                self.has_slopes() && rolling.reversal.is_none() && !skids
+            }
+        }
+    }
+
+    /// The forces at a sinkage (m) and their slopes over ln z.
+    fn forces_and_slopes(&self, rolling: &Rolling<'_>, sinkage: f64, coarse: bool) -> Option<(Forces, Forces)> {
+        if self.method == Method::ResistiveForce {
+            return resistive::forces_and_slopes_in_grains(rolling, sinkage, coarse);
+        }
         let patch = rolling.contact(sinkage).ok().filter(|patch| patch.angles.exit == 0.0)?;
         let (forces, changes) = self.forces_and_changes(&patch, coarse)?;
-        let slopes = changes.scaled(patch.entry_rate());
+        Some((forces, changes.scaled(patch.entry_rate())))
+    }
+
+    /// The forces at a sinkage (m) and the step from there.
+    fn pass(&self, rolling: &Rolling<'_>, load: f64, sinkage: f64, coarse: bool) -> Option<Pass> {
+        let (forces, slopes) = self.forces_and_slopes(rolling, sinkage, coarse)?;
         let step = (load / forces.normal).ln() * forces.normal / slopes.normal;
         let followed = forces.normal > 0.0 && slopes.normal > 0.0 && step.abs() <= LONGEST;
         followed.then_some(Pass { sinkage, forces, slopes, step })
@@ -98,8 +116,8 @@ mod tests {
     use super::*;
     use crate::circles::{Circles, SlipRadius};
     use crate::contact::{Contact, ContactParams, PeakRule, WongReece};
-    use crate::forces::{Lambda, Method, PeakDepth};
-    use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
+    use crate::forces::{Lambda, PeakDepth};
+    use crate::pressure_sinkage::{Direct, PressureCurve, PressureSinkage, SinkageExponent};
     use crate::rolling::WheelOnSoil;
     use crate::shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
     use crate::slip::Slip;
@@ -193,6 +211,32 @@ mod tests {
                     assert!((forces.longitudinal - expected.longitudinal).abs() <= SOLVED * expected.longitudinal_scale());
                     assert!((forces.torque / expected.torque - 1.0).abs() <= SOLVED);
                     assert!(found.residual.abs() <= SOLVED * load);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn in_grains_the_approach_ends_where_the_bracket_does_at_any_slip() {
+        const SOLVED: f64 = 1e-12;
+        let wheel = WheelParams { radius: 0.18, width: 0.12, lug_height: 0.01, lug_coefficient: 0.5 };
+        let system = WheelOnSoil {
+            wheel: Wheel::new(wheel).expect("a wheel"),
+            soil: Soil::new(SoilParams { granular_stiffness: Some(2e6), ..SoilParams::BARE }).expect("a soil"),
+            contact: Contact::MIDPOINT.with_circles(Circles { slip: SlipRadius::LugTip, ..Circles::SHEARING }),
+        };
+        let model = ForceModel::at_rim(Method::ResistiveForce);
+        for ratio in [-1.0, -0.6, -0.05, 0.0, 1e-9, 0.02, 0.3, 1.0] {
+            let rolling = system.rolling_in_grains(Slip::new(ratio).expect("a slip"));
+            for load in [1e-3, 1.0, 80.0, 900.0] {
+                let curve = PressureCurve { modulus: 8e5, exponent: 1.0 };
+                let bracketed = model.solve_sinkage_in_bracket(&rolling, load, &curve).expect("a balance");
+                for (factor, close) in [(0.4, false), (2.5, false), (1.0 + 1e-4, true)] {
+                    let found = model.approach(&rolling, load, factor * bracketed.sinkage, close).expect("a way");
+                    assert!((found.sinkage / bracketed.sinkage - 1.0).abs() <= SOLVED, "{ratio} {found:?} {bracketed:?}");
+                    let (forces, expected) = (&found.forces, &bracketed.forces);
+                    assert!((forces.longitudinal - expected.longitudinal).abs() <= SOLVED * expected.longitudinal_scale());
+                    assert!((forces.torque - expected.torque).abs() <= SOLVED * expected.normal * wheel.radius);
                 }
             }
         }

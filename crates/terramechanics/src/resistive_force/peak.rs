@@ -1,0 +1,100 @@
+//! Where is the normal stress of grains largest?
+//!
+//! The edge is sampled closely where γ swings, over all of it first, then between the neighbours of the highest place. A parabola
+//! through that one and its neighbours, and another close to its vertex, give the rest. The stress is flat there, so it has all of its
+//! digits where the place has six or so.
+
+use super::LeadingEdge;
+use crate::numerics::brent::Sample;
+use crate::numerics::elementary::Number;
+use crate::numerics::lanes::LANES;
+use crate::numerics::level::level;
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, dispatch, f64x8};
+
+/// Vectors of places over the whole edge.
+const VECTORS: usize = 2;
+
+/// Most times that the places between two are sampled, to find the highest of them at neither end.
+const ROUNDS: u32 = 5;
+
+/// Part of a step within which the last parabola is laid.
+const CLOSE: f64 = 1.0 / 32.0;
+
+impl LeadingEdge {
+    /// Angle θ (rad) of the largest normal stress.
+    pub(crate) fn peak(&self) -> f64 {
+        let chord = dispatch!(level(), simd => self.highest(simd));
+        2.0 * (0.5 * chord).asin()
+    }
+
+    /// Its chord (–).
+    #[inline(always)]
+    fn highest<L: Simd>(&self, simd: L) -> f64 {
+        let (scale, whole) = self.crowding();
+        let stride = whole / (VECTORS * LANES) as f64;
+        let mut highest = Sample { x: 0.0, y: f64::NEG_INFINITY };
+        for vector in 0..VECTORS {
+            let first = (vector * LANES) as f64 * stride;
+            let row = self.row(simd, scale, [first, stride]);
+            let best = row[highest_of(&row)];
+            highest = if best.y > highest.y { best } else { highest };
+        }
+        let (mut left, mut right) = ((highest.x - stride).max(0.0), (highest.x + stride).min(whole));
+        for _ in 0..ROUNDS {
+            let step = (right - left) / (LANES - 1) as f64;
+            let row = self.row(simd, scale, [left, step]);
+            let best = highest_of(&row);
+            (left, right) = ((row[best].x - step).max(left), (row[best].x + step).min(right));
+            highest = row[best];
+            if best == 0 || best == LANES - 1 {
+                continue;
+            }
+            if let Some(place) = vertex([row[best - 1], row[best], row[best + 1]]) {
+                let close = CLOSE * step;
+                let row = self.row(simd, scale, [(place - close).max(0.0), close]);
+                highest.x = vertex([row[0], row[1], row[2]]).unwrap_or(place).clamp(left, right);
+            }
+            break;
+        }
+        self.chord(scale, highest.x)
+    }
+
+    /// Chord w = e sinh u (–) at a place u, where e is the `scale` of the crowding.
+    #[inline(always)]
+    fn chord<F: Number>(&self, scale: f64, place: F) -> F {
+        let growth = place.exp();
+        ((growth - growth.like(1.0) / growth) * (0.5 * scale)).at_most(self.reach)
+    }
+
+    /// σ/ξ (m) at eight places.
+    #[inline(always)]
+    fn row<L: Simd>(&self, simd: L, scale: f64, [first, step]: [f64; 2]) -> [Sample; LANES] {
+        let places = f64x8::simd_from(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]) * step + first;
+        let at = self.at(self.chord(scale, places));
+        let stresses = at.depth * at.normal;
+        let mut row = [Sample { x: first, y: 0.0 }; LANES];
+        for (lane, sample) in row.iter_mut().enumerate() {
+            *sample = Sample { x: places[lane], y: stresses[lane] };
+        }
+        row
+    }
+}
+
+/// Which sample is the highest.
+#[inline(always)]
+fn highest_of(row: &[Sample; LANES]) -> usize {
+    let mut best = 0;
+    for lane in 1..LANES {
+        best = if row[lane].y > row[best].y { lane } else { best };
+    }
+    best
+}
+
+/// Place of the vertex of the parabola through three samples; none through three on a line.
+#[inline(always)]
+fn vertex([a, b, c]: [Sample; 3]) -> Option<f64> {
+    let (before, after) = ((b.x - a.x) * (b.y - c.y), (b.x - c.x) * (b.y - a.y));
+    let place = b.x - 0.5 * ((b.x - a.x) * before - (b.x - c.x) * after) / (before - after);
+    if place.is_finite() { Some(place) } else { None }
+}
