@@ -40,7 +40,8 @@ fn alternating_series<F: Arithmetic>(y: F, first: usize) -> F {
     series_of_every_fourth(square, first) - y * series_of_every_fourth(square, first + 2)
 }
 
-/// Σ z^k/(first + 4k)! up to the last factorial of the table, by pairs of terms so that few operations wait for one another.
+/// Σ z^k/(first + 4k)! up to the last factorial of the table, by pairs of terms so that few operations wait for one another. The
+/// largest term comes last, so that the roundings of the others stay small beside it.
 #[inline(always)]
 fn series_of_every_fourth<F: Arithmetic>(z: F, first: usize) -> F {
     let pair = |n: usize| z * RECIPROCAL_FACTORIALS[n + 4] + RECIPROCAL_FACTORIALS[n];
@@ -50,7 +51,8 @@ fn series_of_every_fourth<F: Arithmetic>(z: F, first: usize) -> F {
     } else {
         z.like(RECIPROCAL_FACTORIALS[first + 16])
     };
-    (pair(first) + z2 * pair(first + 8)) + z2 * z2 * last
+    let rest = (z * RECIPROCAL_FACTORIALS[first + 4] + z2 * pair(first + 8)) + z2 * z2 * last;
+    rest + RECIPROCAL_FACTORIALS[first]
 }
 
 impl<F: Arithmetic> HalfArc<F> {

@@ -98,3 +98,56 @@ fn vertex([a, b, c]: [Sample; 3]) -> Option<f64> {
     let place = b.x - 0.5 * ((b.x - a.x) * before - (b.x - c.x) * after) / (before - after);
     if place.is_finite() { Some(place) } else { None }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::circles::{Circles, SlipRadius};
+    use crate::contact::Contact;
+    use crate::rolling::WheelOnSoil;
+    use crate::slip::Slip;
+    use crate::soil::{Soil, SoilParams};
+    use crate::wheel::{Wheel, WheelParams};
+
+    /// Places of a plain search over the edge, evenly over the angle and evenly over the logarithm of the chord.
+    const PLACES: u32 = 2000;
+
+    /// Share of the stress by which the search may stay below the highest of them.
+    const ROUNDING: f64 = 1e-12;
+
+    fn largest_of_many(edge: &LeadingEdge) -> f64 {
+        let share = |i: u32| f64::from(i) / f64::from(PLACES);
+        let even = (0..=PLACES).map(|i| edge.reach * share(i));
+        let near_the_exit = (0..=PLACES).map(|i| edge.reach * 1e-14_f64.powf(share(i)));
+        let stress = |chord: f64| {
+            let place = edge.at(chord);
+            place.depth * place.normal
+        };
+        even.chain(near_the_exit).map(stress).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    #[test]
+    fn no_place_of_the_edge_has_a_larger_stress() {
+        let powers = || (0..=90).map(|i| 10f64.powf(-0.1 * f64::from(i)));
+        let even = (-50..=50).map(|i| 0.02 * f64::from(i));
+        let slips: Vec<f64> = powers().flat_map(|size| [size, -size, 1.0 - size, size - 1.0]).chain(even).collect();
+        let lugs = [(0.0, SlipRadius::Rim), (0.05, SlipRadius::LugTip), (0.3, SlipRadius::Shearing)];
+        for (lug_height, slip) in lugs {
+            let wheel = WheelParams { radius: 1.0, width: 1.0, lug_height, lug_coefficient: 0.5 };
+            let system = WheelOnSoil {
+                wheel: Wheel::new(wheel).expect("a wheel"),
+                soil: Soil::new(SoilParams::BARE).expect("a soil"),
+                contact: Contact::MIDPOINT.with_circles(Circles { slip, ..Circles::SHEARING }),
+            };
+            for &ratio in &slips {
+                let rolling = system.rolling_in_grains(Slip::new(ratio).expect("a slip"));
+                for sinkage in [1e-9, 1e-6, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75, 0.9, 1.0] {
+                    let edge = LeadingEdge::of_unit_stiffness(&rolling, sinkage).expect("an edge");
+                    let place = edge.at_angle(edge.peak()).expect("a place of the edge");
+                    let (found, largest) = (place.depth * place.normal, largest_of_many(&edge));
+                    assert!(found >= largest * (1.0 - ROUNDING), "{lug_height} {ratio} {sinkage}: {found} of {largest}");
+                }
+            }
+        }
+    }
+}
