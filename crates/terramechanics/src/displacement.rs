@@ -69,6 +69,14 @@ impl<K: Number> Way<K> {
         (point.half_arc * complement + point.lag * ratio) * (radius * 2.0) + self.lead.displacement
     }
 
+    /// dθ1'/dθ1 (–) as a wheel of `radius` r (m) sinks: how the circle of the displacement enters the soil.
+    #[inline(always)]
+    pub(crate) fn entry_turn(&self, [radius, sinkage]: [K; 2], entry: &RimEntry<K>) -> K {
+        let Kinematics { radius: outer, offset, .. } = self.kinematics;
+        let outer_entry = RimEntry::at_depth((offset + sinkage) / outer);
+        radius / outer * entry.sin() / outer_entry.sin()
+    }
+
     /// dj/dθ1 (m/rad) as a wheel of `radius` r (m) sinks, at a place that moves at `turn` = dθ/dθ1.
     ///
     /// dj/dθ1 = r_j [dθ1'/dθ1 − dθ/dθ1 − κ (cos θ1' dθ1'/dθ1 − cos θ dθ/dθ1)], with cos θ1' = (r − z)/r_j.
@@ -80,11 +88,9 @@ impl<K: Number> Way<K> {
         point: &RimPoint<F>,
         turn: F,
     ) -> F {
-        let Kinematics { radius: outer, offset, ratio, .. } = self.kinematics;
+        let Kinematics { radius: outer, ratio, .. } = self.kinematics;
         let outward = radius / outer;
-        let outer_entry = RimEntry::at_depth((offset + sinkage) / outer);
-        let entry_turn = outward * entry.sin() / outer_entry.sin(); // dθ1'/dθ1
-        let entry_rate = entry_turn * (-(ratio * outward * entry.cos()) + 1.0);
+        let entry_rate = self.entry_turn([radius, sinkage], entry) * (-(ratio * outward * entry.cos()) + 1.0);
         (point.cos * turn * ratio - turn + entry_rate) * outer
     }
 }

@@ -152,19 +152,22 @@ impl<'a> Plan<'a> {
 
     /// Whether what was found is a point.
     #[inline(always)]
-    pub(super) fn is_point(&self, exponent: f64, found: &Found) -> bool {
-        let Found { sinkage, angles, modulus, left, .. } = *found;
-        let forces = found.forces.summed();
-        let is_point = forces.is_finite() && angles.are_in_order() && left <= crate::approach::LINEAR;
-        let is_met = match self.shared.sought {
+    fn is_point(&self, exponent: f64, found: &Found) -> bool {
+        found.forces.summed().is_finite() && found.angles.are_in_order() && self.is_met(exponent, found)
+    }
+
+    /// Whether finite forces in a contact are those that were sought.
+    #[inline(always)]
+    pub(super) fn is_met(&self, exponent: f64, found: &Found) -> bool {
+        match self.shared.sought {
             Sought::Forces => true,
-            Sought::ForcesUnderLoad => modulus > 0.0 || exponent.is_nan(),
+            Sought::ForcesUnderLoad => found.modulus > 0.0 || exponent.is_nan(),
             Sought::Balance => {
-                let load = self.fixed.load;
-                sinkage <= self.fixed.radius && is_met(forces.normal - load, forces.normal_scale(), load)
+                let (load, forces) = (self.fixed.load, found.forces.summed());
+                let is_inside = found.left <= crate::approach::LINEAR && found.sinkage <= self.fixed.radius;
+                is_inside && is_met(forces.normal - load, forces.normal_scale(), load)
             }
-        };
-        is_point && is_met
+        }
     }
 
     /// The point that was found.

@@ -229,8 +229,8 @@ impl<P: Pressing> Rim<'_, P> {
                 let deepening = (-(front.sin * front_turn) + patch.entry.sin()) / (front.rise * 2.0); // d ln z(θ)/dθ1
                 let normal_rate = normal * deepening * curve.exponent();
                 let strength_rate = normal_rate * patch.rolling.strength.tan_friction;
-                let front_rate = shearing.rate(&front, front_share, front_turn) * strength + front_share * strength_rate;
-                let rear_rate = shearing.rate(&rear, rear_share, rear_turn) * strength + rear_share * strength_rate;
+                let front_rate = shearing.rate_ahead(&front, front_share, front_turn) * strength + front_share * strength_rate;
+                let rear_rate = shearing.rate_behind(&rear, rear_share, rear_turn) * strength + rear_share * strength_rate;
                 changes.add(weight, &front_side, &front, front_turn, [[normal, normal_rate], [front_stress, front_rate]]);
                 changes.add(weight, &rear_side, &rear, rear_turn, [[normal, normal_rate], [rear_stress, rear_rate]]);
             }

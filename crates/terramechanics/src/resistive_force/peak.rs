@@ -1,8 +1,8 @@
 //! Where is the normal stress of grains largest?
 //!
-//! The edge is sampled closely where γ swings, over all of it first, then between the neighbours of the highest place. A parabola
-//! through that one and its neighbours, and another close to its vertex, give the rest. The stress is flat there, so it has all of its
-//! digits where the place has six or so.
+//! The edge is sampled closely where γ swings, over all of it first, then between the neighbours of the highest place, until the
+//! samples are close. A quartic through five of them gives the rest. The stress is flat there, so it has all of its digits where the
+//! place has six or so.
 
 use super::LeadingEdge;
 use crate::numerics::brent::Sample;
@@ -18,8 +18,8 @@ const VECTORS: usize = 2;
 /// Most times that the places between two are sampled, to find the highest of them at neither end.
 const ROUNDS: u32 = 5;
 
-/// Part of a step within which the last parabola is laid.
-const CLOSE: f64 = 1.0 / 32.0;
+/// Largest step between samples through which the quartic is laid: its vertex is off by about the fourth power.
+const CLOSE: f64 = 0.05;
 
 impl LeadingEdge {
     /// Angle θ (rad) of the largest normal stress.
@@ -47,13 +47,14 @@ impl LeadingEdge {
             let best = highest_of(&row);
             (left, right) = ((row[best].x - step).max(left), (row[best].x + step).min(right));
             highest = row[best];
-            if best == 0 || best == LANES - 1 {
+            if best == 0 || best == LANES - 1 || step > CLOSE {
                 continue;
             }
-            if let Some(place) = vertex([row[best - 1], row[best], row[best + 1]]) {
-                let close = CLOSE * step;
-                let row = self.row(simd, scale, [(place - close).max(0.0), close]);
-                highest.x = vertex([row[0], row[1], row[2]]).unwrap_or(place).clamp(left, right);
+            let centre = best.clamp(2, LANES - 3);
+            let place = row[centre].x
+                + step * vertex([row[centre - 2].y, row[centre - 1].y, row[centre].y, row[centre + 1].y, row[centre + 2].y]);
+            if place.is_finite() {
+                highest.x = place.clamp(left, right);
             }
             break;
         }
@@ -91,12 +92,20 @@ fn highest_of(row: &[Sample; LANES]) -> usize {
     best
 }
 
-/// Place of the vertex of the parabola through three samples; none through three on a line.
+/// Place of the vertex of the quartic through five samples a step apart, in steps from the middle one; not a number where they are on
+/// a line.
 #[inline(always)]
-fn vertex([a, b, c]: [Sample; 3]) -> Option<f64> {
-    let (before, after) = ((b.x - a.x) * (b.y - c.y), (b.x - c.x) * (b.y - a.y));
-    let place = b.x - 0.5 * ((b.x - a.x) * before - (b.x - c.x) * after) / (before - after);
-    if place.is_finite() { Some(place) } else { None }
+fn vertex([a, b, c, d, e]: [f64; 5]) -> f64 {
+    let (near, far) = (d - b, e - a);
+    let (near_sum, far_sum) = (d + b, e + a);
+    let (slope, jerk) = ((8.0 * near - far) / 12.0, 0.5 * far - near);
+    let (bend, snap) = ((16.0 * near_sum - far_sum - 30.0 * c) / 12.0, far_sum - 4.0 * near_sum + 6.0 * c);
+    let mut place = -slope / bend;
+    for _ in 0..2 {
+        let left = slope + place * (bend + place * (0.5 * jerk + place * snap / 6.0));
+        place -= left / (bend + place * (jerk + place * 0.5 * snap));
+    }
+    place
 }
 
 #[cfg(test)]
