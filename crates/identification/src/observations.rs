@@ -49,13 +49,9 @@ impl Observations {
     /// The quantities that are compared with predictions. Those that give the sinkage are taken as known.
     #[must_use]
     pub fn fitted(&self, source: &SinkageSource) -> Vec<Quantity> {
-        let taken = match source {
-            SinkageSource::Measured => Some(Quantity::Sinkage),
-            SinkageSource::Load => Some(Quantity::Normal),
-            SinkageSource::Static { .. } => None,
-        };
+        let taken = source.taken();
         let measured = Quantity::ALL.into_iter().filter(|quantity| self.column(*quantity).is_some());
-        measured.filter(|quantity| Some(*quantity) != taken).collect()
+        measured.filter(|quantity| !taken.contains(quantity)).collect()
     }
 
     /// Checks that the columns fit together and contain what the source of the sinkage needs.
@@ -64,14 +60,8 @@ impl Observations {
         if !(1..=MOST_SAMPLES).contains(&count) {
             return Err(FitError::Samples { count });
         }
-        let needed = match source {
-            SinkageSource::Measured => Some(Quantity::Sinkage),
-            SinkageSource::Load => Some(Quantity::Normal),
-            SinkageSource::Static { .. } => None,
-        };
-        if let Some(quantity) = needed
-            && self.column(quantity).is_none()
-        {
+        let needed = source.taken();
+        if let Some(&quantity) = needed.iter().find(|&&quantity| self.column(quantity).is_none()) {
             return Err(FitError::Missing(quantity));
         }
         let fitted = self.fitted(source);
@@ -89,7 +79,7 @@ impl Observations {
             if column.values.len() != count || column.deviation.as_ref().is_some_and(|deviation| deviation.len() != count) {
                 return Err(FitError::Length(quantity));
             }
-            let usable = |value: f64| value.is_finite() && (needed != Some(quantity) || value > 0.0);
+            let usable = |value: f64| value.is_finite() && (!needed.contains(&quantity) || value > 0.0);
             if let Some(row) = column.values.iter().position(|&value| !usable(value)) {
                 return Err(FitError::Value { quantity, row });
             }

@@ -5,6 +5,8 @@ use terramechanics::{
     WheelOnSoil,
 };
 
+use crate::quantity::Quantity;
+
 /// Where the sinkage of a sample comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SinkageSource {
@@ -12,6 +14,8 @@ pub enum SinkageSource {
     Measured,
     /// The measured normal force is the load: the sinkage is the one that carries it.
     Load,
+    /// It was measured, and the measured normal force is the load that it carries: the load takes the place of the sinkage modulus.
+    UnderLoad,
     /// It follows from a static sinkage and the slip.
     Static {
         /// Static sinkage z0 (m).
@@ -19,6 +23,18 @@ pub enum SinkageSource {
         /// Slip–sinkage law.
         law: SlipSinkage,
     },
+}
+
+impl SinkageSource {
+    /// The measured quantities that it takes as known.
+    pub(crate) fn taken(&self) -> &'static [Quantity] {
+        match self {
+            Self::Measured => &[Quantity::Sinkage],
+            Self::Load => &[Quantity::Normal],
+            Self::UnderLoad => &[Quantity::Sinkage, Quantity::Normal],
+            Self::Static { .. } => &[],
+        }
+    }
 }
 
 /// The forward model with all its parameters, as plain numbers that a fit may vary.
