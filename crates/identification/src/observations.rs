@@ -34,6 +34,16 @@ pub struct Observations {
     pub torque: Option<Column>,
 }
 
+/// The measured quantities that give the sinkage, and are taken as known.
+fn taken(source: &SinkageSource) -> &'static [Quantity] {
+    match source {
+        SinkageSource::Measured => &[Quantity::Sinkage],
+        SinkageSource::Load => &[Quantity::Normal],
+        SinkageSource::UnderLoad => &[Quantity::Sinkage, Quantity::Normal],
+        SinkageSource::Static { .. } => &[],
+    }
+}
+
 impl Observations {
     /// The column of a quantity, if it was measured.
     #[must_use]
@@ -49,7 +59,7 @@ impl Observations {
     /// The quantities that are compared with predictions. Those that give the sinkage are taken as known.
     #[must_use]
     pub fn fitted(&self, source: &SinkageSource) -> Vec<Quantity> {
-        let taken = source.taken();
+        let taken = taken(source);
         let measured = Quantity::ALL.into_iter().filter(|quantity| self.column(*quantity).is_some());
         measured.filter(|quantity| !taken.contains(quantity)).collect()
     }
@@ -60,7 +70,7 @@ impl Observations {
         if !(1..=MOST_SAMPLES).contains(&count) {
             return Err(FitError::Samples { count });
         }
-        let needed = source.taken();
+        let needed = taken(source);
         if let Some(&quantity) = needed.iter().find(|&&quantity| self.column(quantity).is_none()) {
             return Err(FitError::Missing(quantity));
         }

@@ -5,8 +5,6 @@ use terramechanics::{
     WheelOnSoil,
 };
 
-use crate::quantity::Quantity;
-
 /// Where the sinkage of a sample comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SinkageSource {
@@ -23,18 +21,6 @@ pub enum SinkageSource {
         /// Slip–sinkage law.
         law: SlipSinkage,
     },
-}
-
-impl SinkageSource {
-    /// The measured quantities that it takes as known.
-    pub(crate) fn taken(&self) -> &'static [Quantity] {
-        match self {
-            Self::Measured => &[Quantity::Sinkage],
-            Self::Load => &[Quantity::Normal],
-            Self::UnderLoad => &[Quantity::Sinkage, Quantity::Normal],
-            Self::Static { .. } => &[],
-        }
-    }
 }
 
 /// The forward model with all its parameters, as plain numbers that a fit may vary.

@@ -49,9 +49,9 @@ impl Vehicle {
         }
         let torques = wheels.iter().enumerate().filter(|(station, _)| turns_together(*station));
         let torque = torques.map(|(_, wheel)| wheel.forces.torque).fold(f64::INFINITY, f64::min);
-        for station in 0..wheels.len() {
-            if turns_together(station) && wheels[station].forces.torque > torque {
-                wheels[station] = self.with_less_slip(station, torque, wheels[station], told.consent)?;
+        for (station, wheel) in wheels.iter_mut().enumerate() {
+            if turns_together(station) && wheel.forces.torque > torque {
+                *wheel = self.with_less_slip(station, torque, *wheel, told.consent)?;
             }
         }
         Ok(self.driven(largest, wheels))

@@ -157,7 +157,7 @@ fn lacking(sought: &Sought<'_>, cancels: bool) -> Vec<String> {
     let alone = [U::COHESION, U::FRICTION_ANGLE, U::SHEAR_MODULUS, U::BASE_EXPONENT];
     let alone = alone
         .into_iter()
-        .filter(|&unknown| !sought.has(unknown) && !(cancels && unknown == U::BASE_EXPONENT))
+        .filter(|&unknown| !(sought.has(unknown) || cancels && unknown == U::BASE_EXPONENT))
         .map(|unknown| unknown.name().to_owned());
     let is_fitted = |name: &str| sought.fitted.iter().any(|unknown| unknown.name() == name);
     alone.chain(fitted_law::lacking(is_fitted).filter(|_| !cancels)).collect()

@@ -157,23 +157,20 @@ fn distribution(value: f64, error: f64, interval: Option<&[f64]>) -> Distributio
 }
 
 /// The matrix without the rounding by which a fit leaves it unsymmetric.
-fn symmetric(mut matrix: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+fn symmetric(matrix: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let count = matrix.len();
     if matrix.iter().any(|row| row.len() != count) {
         return matrix;
     }
-    for i in 0..count {
-        if (matrix[i][i] - 1.0).abs() <= ROUNDING {
-            matrix[i][i] = 1.0;
+    let coefficient = |row: usize, column: usize| {
+        let (here, there) = (matrix[row][column], matrix[column][row]);
+        match (here - there).abs() <= ROUNDING {
+            true if row == column && (here - 1.0).abs() <= ROUNDING => 1.0,
+            true => 0.5 * (here + there),
+            false => here,
         }
-        for j in 0..i {
-            if (matrix[i][j] - matrix[j][i]).abs() <= ROUNDING {
-                let mean = 0.5 * (matrix[i][j] + matrix[j][i]);
-                (matrix[i][j], matrix[j][i]) = (mean, mean);
-            }
-        }
-    }
-    matrix
+    };
+    (0..count).map(|row| (0..count).map(|column| coefficient(row, column)).collect()).collect()
 }
 
 #[cfg(test)]
