@@ -8,7 +8,6 @@ mod plan;
 mod reply;
 mod request;
 mod run;
-mod templates;
 
 use axum::extract::{Request, State};
 use axum::response::Response;
