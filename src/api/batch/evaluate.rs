@@ -114,7 +114,7 @@ impl Rows {
 }
 
 /// How a row went that has no answer.
-fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
+pub(crate) fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
     const MOST: usize = 5;
     let mut words = status.name().to_owned();
     for (i, FieldFault { pointer, detail, .. }) in faults.iter().take(MOST).enumerate() {

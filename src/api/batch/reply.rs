@@ -13,6 +13,8 @@ pub(super) enum Writer {
     /// With the names of all columns.
     Text(RowFormat, Vec<String>),
     Arrow(ArrowTable),
+    /// None: the numbers stay where they are, for a caller in the same process.
+    Memory,
 }
 
 impl Writer {
@@ -32,6 +34,7 @@ impl Writer {
         match self {
             Self::Text(format, names) => format.head(names.iter().map(String::as_str), output),
             Self::Arrow(table) => table.head(output),
+            Self::Memory => {}
         }
     }
 
@@ -40,6 +43,7 @@ impl Writer {
         let (format, names) = match self {
             Self::Text(format, names) => (format, names),
             Self::Arrow(table) => return table.rows(block, answers, output),
+            Self::Memory => return,
         };
         for row in 0..block.rows() {
             let echoes = block.echoes().iter().map(|echoed| match echoed.cell(row) {
@@ -58,6 +62,7 @@ impl Writer {
         match self {
             Self::Text(format, _) => format.end(end, output),
             Self::Arrow(table) => table.end(end, output),
+            Self::Memory => {}
         }
     }
 
@@ -65,7 +70,7 @@ impl Writer {
     pub(super) fn broken(&self, problem: &str, output: &mut Vec<u8>) -> bool {
         match self {
             Self::Text(format, _) => format.broken(problem, output),
-            Self::Arrow(_) => return false,
+            Self::Arrow(_) | Self::Memory => return false,
         }
         true
     }

@@ -4,7 +4,7 @@ mod example;
 mod found;
 mod grid;
 mod reply;
-pub(super) mod request;
+pub(crate) mod request;
 mod stream_of_rows;
 
 use axum::body::Body;
@@ -35,7 +35,11 @@ impl GridCase {
         }
     }
 
-    fn reply(&self, pace: &Pace) -> Result<GridReply, Stop> {
+    /// The answer as columns.
+    ///
+    /// # Errors
+    /// [`Stop`], where the work is to end.
+    pub(crate) fn reply(&self, pace: &Pace) -> Result<GridReply, Stop> {
         match self {
             Self::Forces(sweep) => GridReply::of(Running::of(sweep), pace),
             Self::Vehicle(sweep) => GridReply::of(Running::of(sweep), pace),
