@@ -18,6 +18,7 @@ mod docs;
 mod extract;
 mod fixed;
 mod http1;
+pub mod in_process;
 mod limits;
 pub mod log;
 mod metrics;

@@ -7,14 +7,13 @@ use terramechanics_reading::FieldFault;
 
 use super::answers::Answers;
 use super::plan::Plan;
-use super::templates::{Templates, bits};
 use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
 use crate::request::error_fault;
 use crate::request::pull::SlipFrom;
 use crate::rows::{Block, Shape};
 use crate::stream::Job;
-use crate::varied::{RowStatus, tell_invalid};
+use crate::varied::{RowStatus, Templates, bits, tell_invalid};
 use crate::warning::Tally;
 
 /// Rows between two readings of the clock, which takes a good part of the time of a cheap row.
@@ -29,7 +28,7 @@ const MOST_REFUSED: usize = 50;
 /// A block under way, and what reads its rows.
 pub(super) struct Rows {
     plan: Arc<Plan>,
-    templates: Templates,
+    templates: Templates<ForcesCase>,
     /// The numbers of a row.
     values: Vec<f64>,
     pub(super) block: Block,
@@ -97,7 +96,7 @@ impl Rows {
         let known = self.templates.place_of(&self.block, row);
         let at = match known {
             Some(at) => at,
-            None => self.templates.add(&self.plan, &self.block, row)?,
+            None => self.templates.add(&self.plan.constants, &self.plan.columns.fields, &self.block, row)?,
         };
         let Some(template) = self.templates.list.get_mut(at) else { return Err(Vec::new()) };
         self.values.clear();
@@ -115,7 +114,7 @@ impl Rows {
 }
 
 /// How a row went that has no answer.
-fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
+pub(crate) fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
     const MOST: usize = 5;
     let mut words = status.name().to_owned();
     for (i, FieldFault { pointer, detail, .. }) in faults.iter().take(MOST).enumerate() {

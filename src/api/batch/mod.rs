@@ -4,11 +4,11 @@ mod answers;
 mod arrow;
 mod evaluate;
 mod example;
+mod in_memory;
 mod plan;
 mod reply;
 mod request;
 mod run;
-mod templates;
 
 use axum::extract::{Request, State};
 use axum::response::Response;
@@ -18,9 +18,13 @@ use crate::extract::RowsForm;
 use crate::problem::Problem;
 use crate::state::Service;
 use crate::stream;
+pub(crate) use answers::{Answers, STATUS};
+pub(crate) use evaluate::in_words;
 pub(crate) use example::example;
+pub(crate) use in_memory::{ForcesPlan, ForcesRows};
 use request::BatchParameters;
 use run::Batch;
+pub(crate) use run::shared_faults;
 
 /// Forces for rows of their own wheel, soil and operating point
 ///

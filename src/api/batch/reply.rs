@@ -14,6 +14,8 @@ pub(super) enum Writer {
     /// With the names of all columns.
     Text(RowFormat, Vec<String>),
     Arrow(ArrowStream),
+    /// None: the numbers stay where they are, for a caller in the same process.
+    Memory,
 }
 
 impl Writer {
@@ -34,6 +36,7 @@ impl Writer {
         match self {
             Self::Text(format, names) => format.head(names.iter().map(String::as_str), output),
             Self::Arrow(stream) => stream.head(output),
+            Self::Memory => {}
         }
     }
 
@@ -42,6 +45,7 @@ impl Writer {
         let (format, names) = match self {
             Self::Text(format, names) => (format, names),
             Self::Arrow(stream) => return arrow::rows(stream, block, answers, output),
+            Self::Memory => return,
         };
         for row in 0..block.rows() {
             let echoes = block.echoes().iter().map(|echoed| match echoed.cell(row) {
@@ -60,6 +64,7 @@ impl Writer {
         match self {
             Self::Text(format, _) => format.end(end, output),
             Self::Arrow(stream) => stream.end(end, output),
+            Self::Memory => {}
         }
     }
 
@@ -67,7 +72,7 @@ impl Writer {
     pub(super) fn broken(&self, problem: &str, output: &mut Vec<u8>) -> bool {
         match self {
             Self::Text(format, _) => format.broken(problem, output),
-            Self::Arrow(_) => return false,
+            Self::Arrow(_) | Self::Memory => return false,
         }
         true
     }

@@ -5,7 +5,7 @@ mod example;
 mod found;
 mod grid;
 mod reply;
-pub(super) mod request;
+pub(crate) mod request;
 
 use axum::body::Body;
 use axum::extract::State;
@@ -34,7 +34,11 @@ impl GridCase {
         }
     }
 
-    fn reply(&self, pace: &Pace) -> Result<GridReply, Stop> {
+    /// The answer as columns.
+    ///
+    /// # Errors
+    /// [`Stop`], where the work is to end.
+    pub(crate) fn reply(&self, pace: &Pace) -> Result<GridReply, Stop> {
         match self {
             Self::Forces(sweep) => GridReply::of(Running::of(sweep), pace),
             Self::Vehicle(sweep) => GridReply::of(Running::of(sweep), pace),

@@ -76,7 +76,7 @@ impl GridCase {
     ///
     /// # Errors
     /// [`Problem::Invalid`] where it may not.
-    pub(super) fn fits_in_columns(&self) -> Result<(), Problem> {
+    pub(crate) fn fits_in_columns(&self) -> Result<(), Problem> {
         if self.len() <= MOST_IN_COLUMNS {
             return Ok(());
         }
