@@ -8,8 +8,8 @@
 //! one. Elsewhere, and wherever a step goes astray, the search in a bracket (`load.rs`) decides.
 
 use crate::forces::{ForceModel, Forces};
-use crate::load::CarriedLoad;
-use crate::rolling::Rolling;
+use crate::load::{CarriedLoad, bekker_estimate};
+use crate::rolling::{Rolling, WheelOnSoil};
 
 /// Step in ln z within which the forces are linear: its square is below the rounding of a solved sinkage.
 pub(crate) const LINEAR: f64 = 3e-7;
@@ -66,6 +66,13 @@ impl ForceModel {
         None
     }
 
+    /// The same from Bekker's estimate; none for a load that is not greater than 0.
+    pub(crate) fn approach_alone(&self, rolling: &Rolling<'_>, load: f64) -> Option<CarriedLoad> {
+        WheelOnSoil::NORMAL_LOAD.check(load).ok()?;
+        let guess = bekker_estimate(&rolling.system.wheel, rolling.curve().ok()?, load);
+        self.approach(rolling, load, guess, false)
+    }
+
     /// The forces at a sinkage (m) and the step from there.
     fn pass(&self, rolling: &Rolling<'_>, load: f64, sinkage: f64, coarse: bool) -> Option<Pass> {
         let patch = rolling.contact(sinkage).ok().filter(|patch| patch.angles.exit == 0.0)?;
@@ -100,7 +107,6 @@ mod tests {
     use crate::contact::{Contact, ContactParams, PeakRule, WongReece};
     use crate::forces::{Lambda, Method, PeakDepth};
     use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
-    use crate::rolling::WheelOnSoil;
     use crate::shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
     use crate::slip::Slip;
     use crate::soil::{Soil, SoilParams};
