@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use terramechanics_reading::FieldFault;
+use terramechanics_reading::{Assumption, FieldFault};
 
 use super::answers::Answers;
 use super::plan::Plan;
@@ -57,17 +57,18 @@ impl Rows {
     }
 
     fn row(&mut self, row: usize) {
-        self.answers.tally.begin_row();
-        let case = match self.block.fault(row) {
+        let Self { plan, templates, values: sent, block, is_costly, answers, .. } = self;
+        let Answers { numbers, faults, tally, assumed, has_case, refused } = answers;
+        tally.begin_row();
+        let case = match block.fault(row) {
             Some(fault) => Err(vec![FieldFault::new("", fault)]),
-            None => self.case(row),
+            None => case(templates, plan, block, row, sent, assumed),
         };
-        let Plan { values, .. } = &*self.plan;
-        let Answers { numbers, faults, tally, has_case, refused, .. } = &mut self.answers;
+        let Plan { values, .. } = &**plan;
         let fault = match case {
             Ok(case) => {
                 *has_case = true;
-                self.is_costly = !case.operation.model.method.is_closed_form() || matches!(case.slip, SlipFrom::Pull(_));
+                *is_costly = !case.operation.model.method.is_closed_form() || matches!(case.slip, SlipFrom::Pull(_));
                 let mut columns = numbers.iter_mut();
                 let put = |number| columns.next().into_iter().for_each(|column| column.push(number));
                 match case.answer(values.iter().copied(), tally, put) {
@@ -81,7 +82,7 @@ impl Rows {
             Err(found) => {
                 numbers.iter_mut().for_each(|column| column.push(f64::NAN));
                 let words = in_words(RowStatus::Invalid, &found);
-                let is_whole = self.block.shape(row).present.count_ones() as usize == self.plan.columns.fields.len();
+                let is_whole = block.shape(row).present.count_ones() as usize == plan.columns.fields.len();
                 if !*has_case && is_whole && refused.len() < MOST_REFUSED {
                     refused.push(found.clone());
                 }
@@ -91,27 +92,32 @@ impl Rows {
         };
         faults.push(fault);
     }
+}
 
-    /// The case of a row: the request in which the columns have its values.
-    fn case(&mut self, row: usize) -> Result<ForcesCase, Vec<FieldFault>> {
-        let known = self.templates.place_of(&self.block, row);
-        let at = match known {
-            Some(at) => at,
-            None => self.templates.add(&self.plan, &self.block, row)?,
-        };
-        let Some(template) = self.templates.list.get_mut(at) else { return Err(Vec::new()) };
-        self.values.clear();
-        let Shape { present, textual } = self.block.shape(row);
-        self.values.extend(bits(present & !textual).map(|field| self.block.value(field, row)));
-        let case = template.case(&self.values)?;
-        for assumption in template.assumed().unwrap_or_default() {
-            let known = &mut self.answers.assumed;
-            if known.len() < MOST_ASSUMED && !known.contains(assumption) {
-                known.push(assumption.clone());
-            }
+/// The case of a row: the request in which the columns have its values. What is assumed of it goes into `told`.
+fn case<'t>(
+    templates: &'t mut Templates,
+    plan: &Plan,
+    block: &Block,
+    row: usize,
+    values: &mut Vec<f64>,
+    told: &mut Vec<Assumption>,
+) -> Result<&'t ForcesCase, Vec<FieldFault>> {
+    let at = match templates.place_of(block, row) {
+        Some(at) => at,
+        None => templates.add(plan, block, row)?,
+    };
+    let Some(template) = templates.list.get_mut(at) else { return Err(Vec::new()) };
+    values.clear();
+    let Shape { present, textual } = block.shape(row);
+    values.extend(bits(present & !textual).map(|field| block.value(field, row)));
+    let (case, assumed) = template.case_and_assumed(values)?;
+    for assumption in assumed {
+        if told.len() < MOST_ASSUMED && !told.contains(assumption) {
+            told.push(assumption.clone());
         }
-        Ok(case)
     }
+    Ok(case)
 }
 
 /// How a row went that has no answer.
