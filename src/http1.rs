@@ -6,11 +6,9 @@
 //! the connection after the answer, as RFC 9112 (section 6.3) allows.
 
 use axum::extract::Request;
-use axum::http::header::{CONNECTION, CONTENT_LENGTH, HOST, TRANSFER_ENCODING};
+use axum::http::header::{CONTENT_LENGTH, HOST, TRANSFER_ENCODING};
 use axum::http::uri::Authority;
 use axum::http::{HeaderMap, HeaderValue, Version};
-use axum::middleware::Next;
-use axum::response::{IntoResponse, Response};
 
 use crate::problem::Problem;
 use crate::{coding, rest};
@@ -19,22 +17,21 @@ use crate::{coding, rest};
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Declared;
 
-/// Wraps every request: refuses an ambiguous one, and makes the body ready for its reader.
-pub(crate) async fn receive(request: Request, next: Next) -> Response {
+/// The request with a body that is ready for its reader.
+///
+/// # Errors
+/// The answer to one that is ambiguous, or packed in a way that is not known.
+pub(crate) fn received(request: Request) -> Result<Request, Problem> {
     let (mut parts, body) = request.into_parts();
     if let Some(fault) = ambiguity(parts.version, &parts.headers) {
-        // What follows on the connection may be the rest of this request or the next one.
-        let closing = [(CONNECTION, HeaderValue::from_static("close"))];
-        return (closing, Problem::Ambiguous(fault)).into_response();
+        return Err(Problem::Ambiguous(fault));
     }
     if parts.headers.contains_key(CONTENT_LENGTH) {
         parts.extensions.insert(Declared);
     }
     let body = rest::read_to_its_end(body, &parts.headers);
-    match coding::unpacked(body, &mut parts.headers) {
-        Ok(body) => next.run(Request::from_parts(parts, body)).await,
-        Err(unknown) => Problem::from(unknown).into_response(),
-    }
+    let body = coding::unpacked(body, &mut parts.headers)?;
+    Ok(Request::from_parts(parts, body))
 }
 
 /// What is ambiguous about a request.

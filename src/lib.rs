@@ -15,6 +15,7 @@ mod compute;
 pub mod config;
 mod contract;
 mod docs;
+mod entrance;
 mod extract;
 mod fixed;
 mod http1;

@@ -11,7 +11,9 @@ use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 
 use prometheus_client::metrics::counter::Counter;
-use tracing_subscriber::EnvFilter;
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::config::{LogFormat, Serve};
 
@@ -44,17 +46,17 @@ impl Log {
     /// # Errors
     /// The message to refuse a filter with, or why there is no thread.
     pub fn start(settings: &Serve) -> Result<Self, String> {
-        let filter = EnvFilter::try_new(&settings.log).map_err(|error| format!("--log: {error}"))?;
+        let filter: Targets = settings.log.parse().map_err(|error| format!("--log: {error}"))?;
         let lines = Arc::new(Lines::to(io::stderr()).map_err(|error| format!("no thread for the log: {error}"))?);
         // What the subscriber has to say of itself it would print, and panic where stderr is closed.
         let log = tracing_subscriber::fmt()
-            .with_env_filter(filter)
+            .with_max_level(LevelFilter::TRACE) // the filter decides
             .with_ansi(io::stderr().is_terminal())
             .log_internal_errors(false)
             .with_writer(lines.clone());
         match settings.log_format {
-            LogFormat::Text => log.init(),
-            LogFormat::Json => log.json().flatten_event(true).init(),
+            LogFormat::Text => log.finish().with(filter).init(),
+            LogFormat::Json => log.json().flatten_event(true).finish().with(filter).init(),
         }
         // The hook of the standard library writes to stderr itself, and would wait for it.
         std::panic::set_hook(Box::new(|panic| {

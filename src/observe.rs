@@ -6,10 +6,9 @@ use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use axum::extract::{MatchedPath, Request, State};
+use axum::extract::{MatchedPath, Request};
 use axum::http::header::X_CONTENT_TYPE_OPTIONS;
-use axum::http::{HeaderName, HeaderValue, StatusCode};
-use axum::middleware::Next;
+use axum::http::{HeaderName, HeaderValue, Method, StatusCode};
 use axum::response::{IntoResponse, Response};
 
 use crate::answer;
@@ -26,32 +25,47 @@ const LONGEST_ID: usize = 128;
 /// Longest method that a line of the log shows (bytes).
 const LONGEST_METHOD: usize = 20;
 
-/// Wraps every request.
-pub(crate) async fn observe(State(service): State<Service>, request: Request, next: Next) -> Response {
-    let start = Instant::now();
-    let id = request.headers().get(REQUEST_ID).filter(|id| is_harmless(id)).cloned().unwrap_or_else(new_id);
-    let method = request.method().clone();
-    let route = request.extensions().get::<MatchedPath>().cloned();
-    let is_of_api = request.uri().path().starts_with("/v1/");
-    let response = next.run(request).await;
-    let mut response = answer::admitted(response, service.answers()).unwrap_or_else(IntoResponse::into_response);
-    let duration = start.elapsed();
-    let status = response.status();
-    let route = route.as_ref().map_or("none", MatchedPath::as_str);
-    service.metrics().request(&method, route, status.as_u16(), duration);
-    log(&id, &method, route, status, duration.as_micros());
-    let headers = response.headers_mut();
-    headers.insert(REQUEST_ID, id);
-    headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
-    if is_of_api {
-        headers.insert(MODEL_VERSION, HeaderValue::from_static(terramechanics::VERSION));
+/// A request that is under way.
+pub(crate) struct Noted {
+    start: Instant,
+    id: HeaderValue,
+    method: Method,
+    route: Option<MatchedPath>,
+    is_of_api: bool,
+}
+
+impl Noted {
+    /// Notes a request that has arrived.
+    pub(crate) fn of(request: &Request) -> Self {
+        let start = Instant::now();
+        let id = request.headers().get(REQUEST_ID).filter(|id| is_harmless(id)).cloned().unwrap_or_else(new_id);
+        let method = request.method().clone();
+        let route = request.extensions().get::<MatchedPath>().cloned();
+        let is_of_api = request.uri().path().starts_with("/v1/");
+        Self { start, id, method, route, is_of_api }
     }
-    response
+
+    /// Its answer as it is sent, once it is noted, too.
+    pub(crate) fn answered(self, response: Response, service: &Service) -> Response {
+        let mut response = answer::admitted(response, service.answers()).unwrap_or_else(IntoResponse::into_response);
+        let duration = self.start.elapsed();
+        let status = response.status();
+        let route = self.route.as_ref().map_or("none", MatchedPath::as_str);
+        service.metrics().request(&self.method, route, status.as_u16(), duration);
+        log(&self.id, &self.method, route, status, duration.as_micros());
+        let headers = response.headers_mut();
+        headers.insert(REQUEST_ID, self.id);
+        headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+        if self.is_of_api {
+            headers.insert(MODEL_VERSION, HeaderValue::from_static(terramechanics::VERSION));
+        }
+        response
+    }
 }
 
 /// One line per request: failures of the service as errors, what it has no room or time for as warnings, failures of clients as
 /// information, the rest for those who debug.
-fn log(id: &HeaderValue, method: &axum::http::Method, route: &str, status: StatusCode, micros: u128) {
+fn log(id: &HeaderValue, method: &Method, route: &str, status: StatusCode, micros: u128) {
     let id = id.to_str().unwrap_or("");
     // A method is any word that a client makes up, as long as the head may be.
     let method = method.as_str().get(..LONGEST_METHOD).unwrap_or(method.as_str());

@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use axum::Router;
 use axum::http::Uri;
-use axum::middleware;
-use axum::response::{IntoResponse, Response};
-use tower_http::catch_panic::CatchPanicLayer;
+use utoipa::openapi::OpenApi as Document;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -25,10 +23,11 @@ use crate::api::towed::{self, TowedCase};
 use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
 use crate::api::{batch, catalogue, health, limits, model, sweep, track, validation};
-use crate::contract::{self, Contract};
+use crate::contract::{self, Contract, Shown};
+use crate::entrance::Entrance;
 use crate::problem::Problem;
 use crate::state::Service;
-use crate::{docs, http1, observe, page};
+use crate::{docs, page};
 use terramechanics_reading::shortened;
 
 /// The operations of the contract, in its order: a row for each.
@@ -63,13 +62,22 @@ fn operations() -> Operations {
         .plain(routes!(health::metrics))
 }
 
+/// The operations with the document that describes them, and what it shows of them.
+fn described(contract: &Arc<Contract>) -> (Router<Service>, Document, Vec<Shown>) {
+    let Operations { router, shown } = operations();
+    let router = OpenApiRouter::with_openapi(contract::frame()).merge(router).merge(contract::route(contract));
+    let (routes, document) = router.split_for_parts();
+    (routes, document, shown)
+}
+
 /// The operations and the contract that describes them and itself.
 fn documented() -> (Router<Service>, Arc<Contract>) {
     let contract = Arc::default();
-    let Operations { router, shown } = operations();
-    let router = OpenApiRouter::with_openapi(contract::frame()).merge(router).merge(contract::route(&contract));
-    let (routes, document) = router.split_for_parts();
-    contract.describe(document, shown);
+    let (routes, document, _) = described(&contract);
+    contract.describe(&document, || {
+        let (_, document, shown) = described(&Arc::default());
+        (document, shown)
+    });
     (routes, contract)
 }
 
@@ -88,25 +96,17 @@ pub fn app(service: Service) -> Router {
     layered(routes.merge(page::routes()).merge(docs::routes()), contract, service)
 }
 
-/// `routes` with the fallbacks and layers of the service.
+/// `routes` with the fallbacks and the entrance of the service.
 pub fn layered(routes: Router<Service>, contract: Arc<Contract>, service: Service) -> Router {
     let known = contract.clone();
     routes
         .fallback(|uri: Uri| async move { nothing_at(uri.path(), &known) })
         .method_not_allowed_fallback(|uri: Uri| async move { Problem::MethodNotAllowed(contract.methods_of(uri.path())) })
-        .layer(CatchPanicLayer::custom(panicked))
-        .layer(middleware::from_fn(http1::receive))
-        .layer(middleware::from_fn_with_state(service.clone(), observe::observe))
+        .layer(Entrance(service.clone()))
         .with_state(service)
 }
 
 fn nothing_at(path: &str, contract: &Contract) -> Problem {
     let meant = contract.meant_by(path).map_or_else(String::new, |meant| format!("; did you mean {meant}?"));
     Problem::NotFound(format!("no such path: {}{meant}", shortened(path)))
-}
-
-fn panicked(cause: Box<dyn std::any::Any + Send>) -> Response {
-    let text = cause.downcast_ref::<&str>().copied().or_else(|| cause.downcast_ref::<String>().map(String::as_str));
-    tracing::error!(cause = text.unwrap_or("unknown"), "a request panicked");
-    Problem::Internal.into_response()
 }

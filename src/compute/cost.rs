@@ -23,6 +23,12 @@ const NEXT_TO_NOTHING: f64 = 100e3;
 /// the usual time; the slowest known took 45 ms.
 const ALLOWANCE: f64 = 1e9;
 
+/// Work between two checks of the pace (ns), at its price.
+const CHECK: f64 = 1e6;
+
+/// Most points between two checks: more of them found together are not found faster.
+const MOST_BETWEEN_CHECKS: usize = 256;
+
 /// The price of a single contact that is solved by the quadrature: see [`ALLOWANCE`].
 const SOLVED: f64 = 60e6;
 
@@ -100,6 +106,12 @@ impl Point {
     /// Every kind.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         POINTS.into_iter().flatten()
+    }
+
+    /// Points of an operation between two checks of the pace: so many as cost about [`CHECK`] at the most, and not so few that they
+    /// cannot be found together.
+    pub(crate) fn between_checks(operation: &Operation) -> usize {
+        ((CHECK / Self::of(operation).price) as usize).clamp(1, MOST_BETWEEN_CHECKS)
     }
 
     /// The price of one of many points, with that of writing its row.

@@ -58,12 +58,14 @@ pub(crate) fn frame() -> Document {
     frame
 }
 
+/// Makes the document without examples, which take a while to compute, and what the examples are of.
+pub(crate) type Source = fn() -> (Document, Vec<Shown>);
+
 /// The contract of the service that is running.
 #[derive(Default)]
 pub struct Contract {
-    /// The document without examples, which take a while to compute.
-    plain: OnceLock<Document>,
-    shown: OnceLock<Vec<Shown>>,
+    /// The document is made when it is asked for: it takes megabytes, and most services are never asked.
+    source: OnceLock<Source>,
     known: OnceLock<Vec<Known>>,
     /// Where the service is for those outside, if that was set.
     public_url: OnceLock<String>,
@@ -78,11 +80,10 @@ impl fmt::Debug for Contract {
 }
 
 impl Contract {
-    /// Says what the contract describes and what it shows of it; the first word stands.
-    pub(crate) fn describe(&self, document: Document, shown: Vec<Shown>) {
-        self.shown.get_or_init(|| shown);
-        self.known.get_or_init(|| paths::known(&document));
-        self.plain.get_or_init(|| document);
+    /// Says what the contract describes, and how that is made anew; the first word stands.
+    pub(crate) fn describe(&self, document: &Document, source: Source) {
+        self.known.get_or_init(|| paths::known(document));
+        self.source.get_or_init(|| source);
     }
 
     /// Says where the service is for those outside; the first word stands.
@@ -93,14 +94,14 @@ impl Contract {
     /// The document, with its examples.
     #[must_use]
     pub fn document(&self) -> Document {
-        let mut document = self.plain.get().cloned().unwrap_or_else(frame);
+        let (mut document, shown) = self.source.get().map_or_else(|| (frame(), Vec::new()), |source| source());
         if let (Some(url), Some(server)) = (self.public_url.get(), document.servers.iter_mut().flatten().next()) {
             server.url.clone_from(url);
         }
         if let Some(components) = &mut document.components {
             quantity::add_units(&mut components.schemas);
         }
-        examples::attach(&mut document, self.shown.get().map_or(&[], Vec::as_slice));
+        examples::attach(&mut document, &shown);
         shared::share(&mut document);
         document
     }

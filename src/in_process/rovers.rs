@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use terramechanics_reading::{FieldFault, Node};
+use terramechanics_reading::Node;
 
 use crate::api::batch::{Answers, in_words};
 use crate::api::vehicle::{VehicleCase, rover_columns};
 use crate::quantity::About;
-use crate::rows::{Block, Columns, Shape};
-use crate::varied::{RowStatus, Templates, Varied, bits, tell_invalid};
+use crate::rows::{Block, Columns};
+use crate::varied::{RowStatus, Templates, Varied, tell_invalid};
 use crate::warning::Tally;
 
 /// The column that takes most of the time of a row, and is found where it is asked for.
@@ -16,9 +16,6 @@ const LARGEST: &str = "largest_slope_rad";
 
 /// Refused rows that are looked at for what all of them lack.
 const MOST_REFUSED: usize = 50;
-
-/// Values that are told as assumed.
-const MOST_ASSUMED: usize = 100;
 
 /// What the rows have in common.
 pub(super) struct RoverPlan {
@@ -46,7 +43,7 @@ impl RoverPlan {
 
     /// What answers one block after the other.
     pub(super) fn worker(self: &Arc<Self>) -> RoverRows {
-        RoverRows { plan: self.clone(), templates: Templates::default(), values: Vec::new(), cells: Vec::new() }
+        RoverRows { plan: self.clone(), templates: Templates::default(), cells: Vec::new() }
     }
 }
 
@@ -54,8 +51,6 @@ impl RoverPlan {
 pub(super) struct RoverRows {
     plan: Arc<RoverPlan>,
     templates: Templates<VehicleCase>,
-    /// The numbers of a row.
-    values: Vec<f64>,
     /// The numbers that it gave.
     cells: Vec<f64>,
 }
@@ -80,10 +75,12 @@ impl RoverRows {
 
     /// What a row gives, into the cells; in words what was wrong with it, if something was.
     fn row(&mut self, block: &Block, row: usize, answers: &mut Answers) -> Option<Box<str>> {
-        let found = match self.case(block, row, answers) {
-            Ok(case) => {
+        let Self { plan, templates, cells } = self;
+        let case = templates.case(&plan.constants, &plan.columns.fields, block, row, &mut answers.assumed);
+        let found = match case.map(|case| (case, case.refusal())) {
+            Ok((case, None)) => {
                 answers.has_case = true;
-                match case.answer(self.plan.with_largest, &mut self.cells, &mut answers.tally) {
+                match case.answer(plan.with_largest, cells, &mut answers.tally) {
                     Ok(()) => return None,
                     Err(error) => {
                         let (status, fault) = case.refused(&error);
@@ -91,36 +88,15 @@ impl RoverRows {
                     }
                 }
             }
+            Ok((_, Some(refusal))) => vec![refusal],
             Err(found) => found,
         };
         let words = in_words(RowStatus::Invalid, &found);
-        let is_whole = block.shape(row).present.count_ones() as usize == self.plan.columns.fields.len();
+        let is_whole = block.shape(row).present.count_ones() as usize == plan.columns.fields.len();
         if !answers.has_case && is_whole && answers.refused.len() < MOST_REFUSED {
             answers.refused.push(found.clone());
         }
         tell_invalid(found, &mut answers.tally);
         Some(words)
-    }
-
-    /// The case of a row: the request in which the columns have its values.
-    fn case(&mut self, block: &Block, row: usize, answers: &mut Answers) -> Result<VehicleCase, Vec<FieldFault>> {
-        let at = match self.templates.place_of(block, row) {
-            Some(at) => at,
-            None => self.templates.add(&self.plan.constants, &self.plan.columns.fields, block, row)?,
-        };
-        let Some(template) = self.templates.list.get_mut(at) else { return Err(Vec::new()) };
-        self.values.clear();
-        let Shape { present, textual } = block.shape(row);
-        self.values.extend(bits(present & !textual).map(|field| block.value(field, row)));
-        let case = template.case(&self.values)?;
-        if let Some(refusal) = case.refusal() {
-            return Err(vec![refusal]);
-        }
-        for assumption in template.assumed().unwrap_or_default() {
-            if answers.assumed.len() < MOST_ASSUMED && !answers.assumed.contains(assumption) {
-                answers.assumed.push(assumption.clone());
-            }
-        }
-        Ok(case)
     }
 }

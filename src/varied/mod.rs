@@ -18,4 +18,4 @@ pub(crate) use faults::{shared, varied_field};
 pub(crate) use row::{RowStatus, Varied, tell_invalid};
 pub(crate) use setter::{IsSent, Part, Setter, names};
 pub(crate) use template::Template;
-pub(crate) use templates::{Templates, bits};
+pub(crate) use templates::Templates;

@@ -57,9 +57,10 @@ pub(crate) trait Varied: Request + Sync {
         None
     }
 
-    /// The case with other numbers: the one that the request has with them. None where that is refused, or might be.
-    fn with_numbers(&self, _setters: &[Setter], _values: &[f64]) -> Option<Self> {
-        None
+    /// Replaces the numbers of all setters, and makes the case that which the request has with them. False where that is refused, or
+    /// might be: the case then is none until its numbers are replaced again.
+    fn set_numbers(&mut self, _setters: &[Setter], _values: &[f64]) -> bool {
+        false
     }
 
     /// Adds the numbers of the row to `cells`, one for each column, NaN where there is none; what is to be said of them goes into

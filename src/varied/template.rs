@@ -1,7 +1,5 @@
 //! A request with fields that vary.
 
-use std::sync::Arc;
-
 use terramechanics_reading::{Assumption, FieldFault, Node, Path, Slot};
 
 use super::faults::{RowFault, shared};
@@ -18,6 +16,8 @@ pub(crate) struct Template<R> {
     pointers: Vec<String>,
     /// A case that was read, in which numbers can be replaced, once there is one.
     direct: Direct<R>,
+    /// The latest case that was read for a row of its own.
+    latest: Option<R>,
     /// What was assumed of the last good row: the same for all, for it depends on the fields that are there.
     assumed: Option<Vec<Assumption>>,
 }
@@ -29,28 +29,20 @@ enum Direct<R> {
     Unknown,
     /// There is none.
     Closed,
-    Open(Arc<R>, Vec<Setter>),
+    Open(Box<R>, Vec<Setter>),
 }
 
-impl<R> Clone for Direct<R> {
-    fn clone(&self) -> Self {
-        match self {
-            Self::Unknown => Self::Unknown,
-            Self::Closed => Self::Closed,
-            Self::Open(case, setters) => Self::Open(case.clone(), setters.clone()),
-        }
-    }
-}
-
+/// The clone reads a case of its own.
 impl<R> Clone for Template<R> {
     fn clone(&self) -> Self {
-        let Self { tree, slots, paths, pointers, direct, assumed } = self;
+        let Self { tree, slots, paths, pointers, direct: _, latest: _, assumed } = self;
         Self {
             tree: tree.clone(),
             slots: slots.clone(),
             paths: paths.clone(),
             pointers: pointers.clone(),
-            direct: direct.clone(),
+            direct: Direct::Unknown,
+            latest: None,
             assumed: assumed.clone(),
         }
     }
@@ -85,20 +77,34 @@ impl<R: Varied> Template<R> {
         if !faults.is_empty() {
             return Err(faults);
         }
-        Ok(Self { tree, slots, paths: paths.to_vec(), pointers, direct: Direct::Unknown, assumed: None })
+        Ok(Self { tree, slots, paths: paths.to_vec(), pointers, direct: Direct::Unknown, latest: None, assumed: None })
     }
 
     /// The case of a row: the request in which the varied fields have these values, in the order of the paths.
     ///
     /// # Errors
     /// The faults that the operation finds in that request, with the pointers that they have there.
-    pub(crate) fn case(&mut self, values: &[f64]) -> Result<R, Vec<FieldFault>> {
-        if let Direct::Open(case, setters) = &self.direct
-            && let Some(case) = case.with_numbers(setters, values)
-        {
-            return Ok(case);
+    pub(crate) fn case(&mut self, values: &[f64]) -> Result<&R, Vec<FieldFault>> {
+        self.case_and_assumed(values).map(|(case, _)| case)
+    }
+
+    /// The same with what was assumed of it.
+    ///
+    /// # Errors
+    /// As [`case`](Self::case).
+    pub(crate) fn case_and_assumed(&mut self, values: &[f64]) -> Result<(&R, &[Assumption]), Vec<FieldFault>> {
+        let is_set = match &mut self.direct {
+            Direct::Open(case, setters) => case.set_numbers(setters, values),
+            Direct::Unknown | Direct::Closed => false,
+        };
+        if !is_set {
+            self.latest = Some(self.read(values)?);
         }
-        self.read(values)
+        let case = match &self.direct {
+            Direct::Open(case, _) if is_set => Some(&**case),
+            _ => self.latest.as_ref(),
+        };
+        Ok((case.ok_or_else(Vec::new)?, self.assumed.as_deref().unwrap_or_default()))
     }
 
     /// The same by reading the request anew.
@@ -109,16 +115,16 @@ impl<R: Varied> Template<R> {
         let Accepted { case, assumed } = accepted::<R>(&self.tree)?;
         self.assumed = assumed;
         if matches!(self.direct, Direct::Unknown) {
-            self.direct = self.direct_of(&case, values).unwrap_or(Direct::Closed);
+            self.direct = self.direct_of(&case, values)?;
         }
         Ok(case)
     }
 
-    /// The way past the tree from a case that was read.
-    fn direct_of(&self, case: &R, values: &[f64]) -> Option<Direct<R>> {
-        let setters = case.setters(&self.paths, &|names| self.tree.has(names))?;
-        let same = case.with_numbers(&setters, values)?;
-        Some(Direct::Open(Arc::new(same), setters))
+    /// The way past the tree, by the setters of a case that was read; the case is read once more for it.
+    fn direct_of(&self, case: &R, values: &[f64]) -> Result<Direct<R>, Vec<FieldFault>> {
+        let Some(setters) = case.setters(&self.paths, &|names| self.tree.has(names)) else { return Ok(Direct::Closed) };
+        let Accepted { case: mut own, .. } = accepted::<R>(&self.tree)?;
+        Ok(if own.set_numbers(&setters, values) { Direct::Open(Box::new(own), setters) } else { Direct::Closed })
     }
 
     /// The first case of some `rows`, to tell what all cases have in common, such as the method.
@@ -130,7 +136,7 @@ impl<R: Varied> Template<R> {
     pub(crate) fn first_case<'r>(&mut self, rows: impl Iterator<Item = &'r [f64]>) -> Result<Option<R>, Vec<RowFault>> {
         let mut of_rows = Vec::new();
         for row in rows {
-            match self.case(row) {
+            match self.read(row) {
                 Ok(case) => return Ok(Some(case)),
                 Err(faults) => of_rows.push(faults),
             }

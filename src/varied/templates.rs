@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use terramechanics_reading::{Blocked, FieldFault, Node, Path};
+use terramechanics_reading::{Assumption, Blocked, FieldFault, Node, Path};
 
 use super::faults::RowFault;
 use super::row::Varied;
@@ -12,20 +12,25 @@ use crate::rows::{Block, Shape};
 /// Templates that are kept; rows of more kinds are read all the same.
 const MOST: usize = 64;
 
+/// Values that are told as assumed.
+const MOST_ASSUMED: usize = 100;
+
 /// A template for all rows that have the same fields and the same words.
 pub(crate) struct Templates<R> {
-    pub(crate) list: Vec<Template<R>>,
+    list: Vec<Template<R>>,
     /// Their places by fields and words.
     places: HashMap<String, usize>,
     /// The same by the places of the words in the block under way.
     of_block: HashMap<Vec<u64>, usize>,
     key: Vec<u64>,
+    /// The numbers of a row.
+    values: Vec<f64>,
     /// The last row without words, and its template: most rows are like the one before.
     last: Option<(Shape, usize)>,
 }
 
 /// The places of the bits that are set.
-pub(crate) fn bits(mut set: u64) -> impl Iterator<Item = usize> {
+fn bits(mut set: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lowest = (set != 0).then(|| set.trailing_zeros() as usize);
         set &= set.wrapping_sub(1);
@@ -36,14 +41,14 @@ pub(crate) fn bits(mut set: u64) -> impl Iterator<Item = usize> {
 impl<R> Default for Templates<R> {
     fn default() -> Self {
         let (places, of_block) = (HashMap::new(), HashMap::new());
-        Self { list: Vec::new(), places, of_block, key: Vec::new(), last: None }
+        Self { list: Vec::new(), places, of_block, key: Vec::new(), values: Vec::new(), last: None }
     }
 }
 
 impl<R: Varied> Templates<R> {
     /// The place of the template for a row, if there is one.
     #[inline]
-    pub(crate) fn place_of(&mut self, block: &Block, row: usize) -> Option<usize> {
+    fn place_of(&mut self, block: &Block, row: usize) -> Option<usize> {
         let shape = block.shape(row);
         if let Some((_, at)) = self.last.filter(|(known, _)| *known == shape) {
             return Some(at);
@@ -64,15 +69,38 @@ impl<R: Varied> Templates<R> {
         self.last = None;
     }
 
-    /// Adds the template for the row that was looked up last; its place. All rows have `constants` in common, and their columns are
-    /// `fields`.
-    pub(crate) fn add(
+    /// The case of a row: the request that all rows have in common, in which the columns, of these fields, have the row's values. What
+    /// is assumed of it goes into `told`.
+    ///
+    /// # Errors
+    /// What is wrong with the row.
+    pub(crate) fn case(
         &mut self,
         constants: &Node<'static>,
         fields: &[Path],
         block: &Block,
         row: usize,
-    ) -> Result<usize, Vec<FieldFault>> {
+        told: &mut Vec<Assumption>,
+    ) -> Result<&R, Vec<FieldFault>> {
+        let at = match self.place_of(block, row) {
+            Some(at) => at,
+            None => self.add(constants, fields, block, row)?,
+        };
+        let Some(template) = self.list.get_mut(at) else { return Err(Vec::new()) };
+        let Shape { present, textual } = block.shape(row);
+        self.values.clear();
+        self.values.extend(bits(present & !textual).map(|field| block.value(field, row)));
+        let (case, assumed) = template.case_and_assumed(&self.values)?;
+        for assumption in assumed {
+            if told.len() < MOST_ASSUMED && !told.contains(assumption) {
+                told.push(assumption.clone());
+            }
+        }
+        Ok(case)
+    }
+
+    /// Adds the template for the row that was looked up last; its place.
+    fn add(&mut self, constants: &Node<'static>, fields: &[Path], block: &Block, row: usize) -> Result<usize, Vec<FieldFault>> {
         let Shape { present, textual } = block.shape(row);
         let words: Vec<_> = bits(textual).map(|field| (field, block.node(field, row))).collect();
         let name = format!("{present} {words:?}");

@@ -32,22 +32,31 @@ fn ok(answer: &Answer) -> &str {
     &answer.text
 }
 
+/// What two searches of one sinkage may differ by.
+const SOLVED: f64 = 1e-12;
+
 #[test]
-fn a_row_has_the_bits_of_the_forces_at_its_sample() {
+fn a_row_is_what_forces_gives_at_its_sample() {
     let (forward, angular) = ([0.0, 0.15, 0.2, -0.1, 0.3], [0.0, 1.0, 1.0, -1.0, 1.0]);
     for method in ["quadrature", "linearised", "explicit"] {
         for way in [json!({"static_sinkage_m": 0.015}), json!({"static_sinkage_m": null, "normal_load_n": 80})] {
-            let base = with(&with(&settings(), json!({"method": method})), way);
+            let base = with(&with(&settings(), json!({"method": method})), way.clone());
             let series = json!({"time_s": [0, 1, 2, 3, 4], "forward_velocity_m_s": forward, "angular_velocity_rad_s": angular});
             let reply = post("/v1/track", &with(&base, json!({ "columns": series }))).ok();
             for i in 0..5 {
                 let point = with(&base, json!({"forward_velocity_m_s": forward[i], "angular_velocity_rad_s": angular[i]}));
                 let forces = post("/v1/forces", &point).ok();
+                // The search of a solved row starts from the rows before it.
+                let allowed = if way["normal_load_n"].is_number() { SOLVED } else { 0.0 };
+                let is_same = |name: &str, single: &Value| {
+                    let found = &reply["columns"][name][i];
+                    let [found, single] = [found, single].map(|value| value.as_f64().expect("a number"));
+                    assert!((found - single).abs() <= allowed * single.abs().max(1.0), "{method} {name} {i}: {found} {single}");
+                };
                 for name in ["slip", "sinkage_m", "longitudinal_force_n", "normal_force_n", "torque_n_m", "drawbar_coefficient"] {
-                    assert_eq!(reply["columns"][name][i], forces[name], "{method} {name} {i}");
+                    is_same(name, &forces[name]);
                 }
-                let power = forces["torque_n_m"].as_f64().expect("a torque") * angular[i];
-                assert_eq!(reply["columns"]["power_w"][i].as_f64(), Some(power));
+                is_same("power_w", &json!(forces["torque_n_m"].as_f64().expect("a torque") * angular[i]));
             }
             assert_eq!(reply["columns"]["status"], json!(["static", "ok", "ok", "ok", "ok"]));
             let warnings = reply["warnings"].as_array().expect("warnings");

@@ -13,7 +13,7 @@
 
 use crate::forces::{ForceModel, Forces, Method, resistive};
 use crate::load::{CarriedLoad, bekker_estimate};
-use crate::rolling::Rolling;
+use crate::rolling::{Rolling, WheelOnSoil};
 
 /// Step in ln z within which the forces are linear: its square is below the rounding of a solved sinkage.
 pub(crate) const LINEAR: f64 = 3e-7;
@@ -67,6 +67,13 @@ impl ForceModel {
         let search = Search { model: self, rolling, load, least, most };
         let found = search.balance(guess, close)?;
         (self.has_one_balance(rolling) || search.rises_to(found.sinkage)?).then_some(found)
+    }
+
+    /// The same from Bekker's estimate; none for a load that is not greater than 0.
+    pub(crate) fn approach_alone(&self, rolling: &Rolling<'_>, load: f64) -> Option<CarriedLoad> {
+        WheelOnSoil::NORMAL_LOAD.check(load).ok()?;
+        let guess = bekker_estimate(&rolling.system.wheel, &self.guide(rolling).ok()?, load);
+        self.approach(rolling, load, guess, false)
     }
 
     /// Whether the method knows how its forces change as the wheel sinks.

@@ -137,7 +137,7 @@ pub(crate) fn bekker_estimate(wheel: &Wheel, curve: &PressureCurve, load: f64) -
 
 impl ForceModel {
     /// Pressure over depth that tells the search about how deep to look: the soil's, or that of a flat plate in grains.
-    fn guide(&self, rolling: &Rolling<'_>) -> Result<PressureCurve, Error> {
+    pub(crate) fn guide(&self, rolling: &Rolling<'_>) -> Result<PressureCurve, Error> {
         match self.method {
             Method::ResistiveForce => Ok(PressureCurve { modulus: equivalent_modulus(rolling.system)?, exponent: 1.0 }),
             Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => {

@@ -26,26 +26,31 @@ impl SweepRow {
     #[inline]
     fn after(rows: &[Self], operation: &Operation, slip: Slip) -> Self {
         let near = match operation.sinkage {
-            Sinkage::CarryingLoad(_) => extrapolated_sinkage(rows, slip),
+            Sinkage::CarryingLoad(_) => extrapolated_sinkage(latest_points(rows), slip),
             Sinkage::Given(_) | Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } => None,
         };
         Self { slip, point: operation.near(slip, &operation.sinkage, near) }
     }
 }
 
-/// Rows behind that a sinkage is extrapolated from: their polynomial over the slip is of the third degree.
-const NEIGHBOURS: usize = 4;
+/// The points of the latest rows, each a slip with its sinkage (m), the latest first, up to a row without one.
+fn latest_points(rows: &[SweepRow]) -> impl Iterator<Item = (Slip, f64)> {
+    rows.iter().rev().map_while(|row| row.point.as_ref().ok().map(|point| (point.slip, point.sinkage)))
+}
+
+/// Points that a sinkage is extrapolated from: their polynomial over the slip is of the third degree.
+pub(crate) const NEIGHBOURS: usize = 4;
 
 /// Largest factor from the latest sinkage to one that counts as near.
 const NEAR: f64 = 1.5;
 
-/// The sinkage (m) at `slip` that the latest rows lead to; none where they say nothing, or lead far away.
-fn extrapolated_sinkage(rows: &[SweepRow], slip: Slip) -> Option<f64> {
+/// The sinkage (m) at `slip` that other points of one load lead to, each a slip with its sinkage (m), the latest first; none where
+/// they say nothing, or lead far away.
+pub(crate) fn extrapolated_sinkage(points: impl Iterator<Item = (Slip, f64)>, slip: Slip) -> Option<f64> {
     let mut known = [(0.0, 0.0); NEIGHBOURS];
     let mut count = 0;
-    for (known, row) in known.iter_mut().zip(rows.iter().rev()) {
-        let Ok(point) = &row.point else { break };
-        *known = (row.slip.ratio(), point.sinkage);
+    for (known, (slip, sinkage)) in known.iter_mut().zip(points) {
+        *known = (slip.ratio(), sinkage);
         count += 1;
     }
     let known = &mut known[..count];
@@ -86,6 +91,11 @@ impl SlipSweep {
     /// The same into rows that are there already, without allocating where there are enough of them.
     pub fn fill(&mut self, operation: &Operation, slips: &[Slip]) {
         self.rows.clear();
+        self.extend(operation, slips);
+    }
+
+    /// Adds the rows of `slips`, for a caller that has to look up between some of them. All rows of a sweep are of one `operation`.
+    pub fn extend(&mut self, operation: &Operation, slips: &[Slip]) {
         self.rows.reserve(slips.len());
         let Operation { system, model, sinkage } = operation;
         if let Some(contact) = OneContact::of(system, model, sinkage) {
@@ -124,12 +134,12 @@ impl SlipSweep {
         }
         let mut near = [f64::NAN; LANES];
         for (near, &slip) in near.iter_mut().zip(slips) {
-            *near = extrapolated_sinkage(&self.rows, slip)?;
+            *near = extrapolated_sinkage(latest_points(&self.rows), slip)?;
         }
         Some(near)
     }
 
-    /// Adds the row of `slip`, for a caller that has to look up between rows. All rows of a sweep are of one `operation`.
+    /// Adds the row of `slip`. All rows of a sweep are of one `operation`.
     pub fn push(&mut self, operation: &Operation, slip: Slip) {
         let row = SweepRow::after(&self.rows, operation, slip);
         self.rows.push(row);

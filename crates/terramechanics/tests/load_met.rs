@@ -2,11 +2,11 @@
 
 mod common;
 
-use common::{contact, slip, system};
+use common::{contact, letter, slip, system};
 use proptest::prelude::*;
 use terramechanics::{
-    Braking, Direct, Error, ForceModel, JanosiHanamoto, Method, PeakRule, PressureSinkage, ShearLaw, SinkageExponent, SoilParams,
-    WheelOnSoil, WheelParams, WongReece,
+    Braking, Direct, Error, ForceModel, JanosiHanamoto, Method, Operation, PeakRule, PressureSinkage, ShearLaw, Sinkage,
+    SinkageExponent, SoilParams, WheelOnSoil, WheelParams, WongReece,
 };
 
 /// Share of the load by which an answer may miss it.
@@ -60,6 +60,28 @@ proptest! {
             prop_assert!((carried.forces.normal - load).abs() <= MISSED * load, "{} N of {load} N", carried.residual);
         }
     }
+
+    #[test]
+    fn what_few_steps_find_is_the_point(system in systems(), method in methods(), ratio in -1.0..=1.0f64, load in decades(-9.0..12.0)) {
+        let operation = Operation { system, model: ForceModel::at_rim(method), sinkage: Sinkage::CarryingLoad(load) };
+        if let Some(point) = operation.at_in_few_steps(slip(ratio)) {
+            prop_assert_eq!(operation.at(slip(ratio)), Ok(point));
+        }
+    }
+}
+
+#[test]
+fn few_steps_find_the_balance_of_a_driving_wheel_by_the_quadrature() {
+    let operation = |method, load| {
+        let sinkage = Sinkage::CarryingLoad(load);
+        Operation { system: letter(), model: ForceModel::at_rim(method), sinkage }
+    };
+    for ratio in [0.0, 0.2, 0.9] {
+        let found = operation(Method::Quadrature, 80.0).at_in_few_steps(slip(ratio));
+        assert_eq!(found, operation(Method::Quadrature, 80.0).at(slip(ratio)).ok());
+    }
+    assert_eq!(operation(Method::Quadrature, -80.0).at_in_few_steps(slip(0.2)), None);
+    assert_eq!(operation(Method::EXPLICIT, 80.0).at_in_few_steps(slip(0.2)), None);
 }
 
 /// A braking wheel with two zones on a soil whose zones push up and pull down with some 6e13 N each: rounding alone is more than

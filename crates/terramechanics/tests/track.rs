@@ -56,15 +56,36 @@ fn a_row_is_the_operating_point_of_its_sample() {
     }
 }
 
-#[test]
-fn a_row_does_not_depend_on_the_rows_before_it() {
-    let carrying = |slip: f64| Sample { sinkage: Sinkage::CarryingLoad(80.0), ..slipping(1.0, slip) };
-    let alone = tracker(Method::EXPLICIT).push(&carrying(0.3));
+/// The row of a slip of 0.3 alone, and after others with gaps among them.
+fn alone_and_after_others(sample_at: impl Fn(f64) -> Sample) -> [TrackRow; 2] {
+    let alone = tracker(Method::EXPLICIT).push(&sample_at(0.3));
     let mut after_others = tracker(Method::EXPLICIT);
     for slip in [0.9, -0.4, f64::NAN, 0.0] {
-        after_others.push(&carrying(slip));
+        after_others.push(&sample_at(slip));
     }
-    assert_eq!(bits(&after_others.push(&carrying(0.3))), bits(&alone));
+    [alone, after_others.push(&sample_at(0.3))]
+}
+
+#[test]
+fn a_row_does_not_depend_on_the_rows_before_it() {
+    let [alone, after_others] = alone_and_after_others(|slip| slipping(1.0, slip));
+    assert_eq!(bits(&after_others), bits(&alone));
+}
+
+#[test]
+fn a_row_under_a_load_depends_on_the_rows_before_it_within_the_tolerance_of_the_search() {
+    /// How far a search that starts elsewhere may end from another, relative.
+    const SOLVED: f64 = 1e-12;
+    let [alone, after_others] =
+        alone_and_after_others(|slip| Sample { sinkage: Sinkage::CarryingLoad(80.0), ..slipping(1.0, slip) });
+    for (one, other) in [
+        (alone.sinkage, after_others.sinkage),
+        (alone.longitudinal, after_others.longitudinal),
+        (alone.normal, after_others.normal),
+        (alone.torque, after_others.torque),
+    ] {
+        assert!((one / other - 1.0).abs() <= SOLVED, "{one} {other}");
+    }
 }
 
 #[test]

@@ -11,16 +11,13 @@ use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
 use crate::request::error_fault;
 use crate::request::pull::SlipFrom;
-use crate::rows::{Block, Shape};
+use crate::rows::Block;
 use crate::stream::Job;
-use crate::varied::{RowStatus, Templates, bits, tell_invalid};
+use crate::varied::{RowStatus, Templates, tell_invalid};
 use crate::warning::Tally;
 
 /// Rows between two readings of the clock, which takes a good part of the time of a cheap row.
 const ROWS_PER_LOOK: usize = 16;
-
-/// Values that are told as assumed.
-const MOST_ASSUMED: usize = 100;
 
 /// Refused rows that are looked at for what all of them lack.
 const MOST_REFUSED: usize = 50;
@@ -29,8 +26,6 @@ const MOST_REFUSED: usize = 50;
 pub(super) struct Rows {
     plan: Arc<Plan>,
     templates: Templates<ForcesCase>,
-    /// The numbers of a row.
-    values: Vec<f64>,
     pub(super) block: Block,
     next: usize,
     /// Whether the row before may have taken long.
@@ -41,8 +36,8 @@ pub(super) struct Rows {
 
 impl Rows {
     pub(super) fn new(plan: Arc<Plan>) -> Self {
-        let (templates, values, block, output) = (Templates::default(), Vec::new(), Block::default(), Vec::new());
-        Self { plan, templates, values, block, next: 0, is_costly: false, answers: Answers::default(), output }
+        let (templates, block, output) = (Templates::default(), Block::default(), Vec::new());
+        Self { plan, templates, block, next: 0, is_costly: false, answers: Answers::default(), output }
     }
 
     /// Makes room for another block, behind so many rows.
@@ -56,17 +51,18 @@ impl Rows {
     }
 
     fn row(&mut self, row: usize) {
-        self.answers.tally.begin_row();
-        let case = match self.block.fault(row) {
+        let Self { plan, templates, block, is_costly, answers, .. } = self;
+        let Answers { numbers, faults, tally, assumed, has_case, refused } = answers;
+        tally.begin_row();
+        let case = match block.fault(row) {
             Some(fault) => Err(vec![FieldFault::new("", fault)]),
-            None => self.case(row),
+            None => templates.case(&plan.constants, &plan.columns.fields, block, row, assumed),
         };
-        let Plan { values, .. } = &*self.plan;
-        let Answers { numbers, faults, tally, has_case, refused, .. } = &mut self.answers;
+        let Plan { values, .. } = &**plan;
         let fault = match case {
             Ok(case) => {
                 *has_case = true;
-                self.is_costly = !case.operation.model.method.is_closed_form() || matches!(case.slip, SlipFrom::Pull(_));
+                *is_costly = !case.operation.model.method.is_closed_form() || matches!(case.slip, SlipFrom::Pull(_));
                 let mut columns = numbers.iter_mut();
                 let put = |number| columns.next().into_iter().for_each(|column| column.push(number));
                 match case.answer(values.iter().copied(), tally, put) {
@@ -80,7 +76,7 @@ impl Rows {
             Err(found) => {
                 numbers.iter_mut().for_each(|column| column.push(f64::NAN));
                 let words = in_words(RowStatus::Invalid, &found);
-                let is_whole = self.block.shape(row).present.count_ones() as usize == self.plan.columns.fields.len();
+                let is_whole = block.shape(row).present.count_ones() as usize == plan.columns.fields.len();
                 if !*has_case && is_whole && refused.len() < MOST_REFUSED {
                     refused.push(found.clone());
                 }
@@ -89,27 +85,6 @@ impl Rows {
             }
         };
         faults.push(fault);
-    }
-
-    /// The case of a row: the request in which the columns have its values.
-    fn case(&mut self, row: usize) -> Result<ForcesCase, Vec<FieldFault>> {
-        let known = self.templates.place_of(&self.block, row);
-        let at = match known {
-            Some(at) => at,
-            None => self.templates.add(&self.plan.constants, &self.plan.columns.fields, &self.block, row)?,
-        };
-        let Some(template) = self.templates.list.get_mut(at) else { return Err(Vec::new()) };
-        self.values.clear();
-        let Shape { present, textual } = self.block.shape(row);
-        self.values.extend(bits(present & !textual).map(|field| self.block.value(field, row)));
-        let case = template.case(&self.values)?;
-        for assumption in template.assumed().unwrap_or_default() {
-            let known = &mut self.answers.assumed;
-            if known.len() < MOST_ASSUMED && !known.contains(assumption) {
-                known.push(assumption.clone());
-            }
-        }
-        Ok(case)
     }
 }
 

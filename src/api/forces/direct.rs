@@ -64,11 +64,10 @@ fn with(mut values: Vec<Option<f64>>, place: usize, value: f64) -> Option<Vec<Op
     Some(values)
 }
 
-/// The case with other numbers; none where a request with them would be refused, or might be.
-pub(super) fn with_numbers(case: &ForcesCase, setters: &[Setter], values: &[f64]) -> Option<ForcesCase> {
-    let Operation { system, mut sinkage, model } = case.operation;
-    let (mut wheel, mut soil, mut contact, mut slip) =
-        (*system.wheel.params(), *system.soil.params(), *system.contact.params(), case.slip);
+/// Gives the case other numbers in place; none where a request with them would be refused, or might be.
+pub(super) fn set_numbers(case: &mut ForcesCase, setters: &[Setter], values: &[f64]) -> Option<()> {
+    let ForcesCase { operation: Operation { system, sinkage, .. }, slip } = case;
+    let (mut wheel, mut soil, mut contact) = (*system.wheel.params(), *system.soil.params(), *system.contact.params());
     let (mut new_wheel, mut new_soil, mut new_contact) = (false, false, false);
     for (setter, &value) in setters.iter().zip(values) {
         if !setter.allows(value) {
@@ -106,21 +105,24 @@ pub(super) fn with_numbers(case: &ForcesCase, setters: &[Setter], values: &[f64]
                 contact.exit = ExitRule::AngleRatio(AngleRatio { c3: value });
                 new_contact = true;
             }
-            Part::Slip => slip = SlipFrom::Motion(Motion::forward(Slip::new(value).ok()?)),
-            Part::Sinkage | Part::StaticSinkage | Part::NormalLoad => sinkage = with_sinkage(sinkage, setter.part, value)?,
+            Part::Slip => *slip = SlipFrom::Motion(Motion::forward(Slip::new(value).ok()?)),
+            Part::Sinkage | Part::StaticSinkage | Part::NormalLoad => *sinkage = with_sinkage(*sinkage, setter.part, value)?,
         }
     }
-    let wheel = if new_wheel { with_dimensions(&system.wheel, wheel)? } else { system.wheel };
-    let soil = if new_soil { with_params(&system.soil, soil)? } else { system.soil };
-    let contact = if new_contact { Contact::new(contact).ok()?.with_braking(system.contact.braking()) } else { system.contact };
-    let given = match sinkage {
+    if new_wheel {
+        system.wheel = with_dimensions(&system.wheel, wheel)?;
+    }
+    if new_soil {
+        system.soil = with_params(&system.soil, soil)?;
+    }
+    if new_contact {
+        system.contact = Contact::new(contact).ok()?.with_braking(system.contact.braking());
+    }
+    let given = match *sinkage {
         Sinkage::Given(given) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(given), .. } => Some(given),
         Sinkage::FromStatic { .. } | Sinkage::CarryingLoad(_) | Sinkage::UnderLoad { .. } => None,
     };
-    if given.is_some_and(|given| given > wheel.radius()) {
-        return None;
-    }
-    Some(ForcesCase { operation: Operation { system: WheelOnSoil { wheel, soil, contact }, model, sinkage }, slip })
+    given.is_none_or(|given| given <= system.wheel.radius()).then_some(())
 }
 
 /// The wheel with other dimensions; that its lug height is not known is remembered.

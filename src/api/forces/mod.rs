@@ -37,6 +37,10 @@ impl Room for ForcesCase {
         }
     }
 
+    fn reply_at_once(&self) -> Option<ForcesReply> {
+        found::forces_in_few_steps(self).map(ForcesReply::from)
+    }
+
     fn reply(&self, _: &Pace) -> Result<ForcesReply, Problem> {
         Ok(found::forces(self)?.into())
     }

@@ -40,8 +40,8 @@ impl Varied for ForcesCase {
         direct::setters(self, paths, is_sent)
     }
 
-    fn with_numbers(&self, setters: &[Setter], values: &[f64]) -> Option<Self> {
-        direct::with_numbers(self, setters, values)
+    fn set_numbers(&mut self, setters: &[Setter], values: &[f64]) -> bool {
+        direct::set_numbers(self, setters, values).is_some()
     }
 
     fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use terramechanics::{Error, Operation, Outcome, SlipSweep, cautions};
 
 use super::request::SweepCase;
-use crate::compute::{Pace, Stop};
+use crate::compute::{Pace, Point, Stop};
 use crate::request::error_pointer;
 use crate::warning::{RowCautions, Rows, Warning, no_solution, of_system};
 
@@ -21,11 +21,10 @@ pub(crate) struct FoundSweep {
 /// # Errors
 /// [`Stop`], where the work is to end.
 pub(crate) fn sweep(SweepCase { operation, slips }: &SweepCase, pace: &Pace) -> Result<FoundSweep, Stop> {
-    let is_light = operation.model.method.is_closed_form();
     let mut sweep = SlipSweep::with_capacity(slips.len());
-    for &slip in slips {
-        if is_light { pace.glance() } else { pace.look() }?;
-        sweep.push(operation, slip);
+    for slips in slips.chunks(Point::between_checks(operation)) {
+        pace.look()?;
+        sweep.extend(operation, slips);
     }
     let mut cautious = RowCautions::default();
     let standstill_normal = operation.standstill_normal();

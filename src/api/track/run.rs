@@ -93,7 +93,7 @@ impl Run {
             SeriesForm::Csv => Sink::Rows(Table::new(RowFormat::Csv, beside)),
             SeriesForm::Ndjson => Sink::Rows(Table::new(RowFormat::Ndjson, beside)),
         };
-        let rows_per_look = if self.settings.operation.model.method.is_closed_form() { 32 } else { 1 };
+        let rows_per_look = if self.settings.operation.model.method.is_closed_form() { 32 } else { 8 };
         self.started = Some(Started { plan, tracker: self.settings.tracker.clone(), strength, sink, rows_per_look });
         Ok(())
     }

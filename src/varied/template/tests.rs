@@ -28,7 +28,7 @@ fn agree(request: &Value, pointers: &[&str], rows: &[&[f64]]) -> bool {
     for row in rows {
         long.direct = Direct::Closed;
         // In words, where what a soil lacks is equal, too: as a number it is none, which equals nothing.
-        let told = |case: Result<ForcesCase, Vec<FieldFault>>| format!("{:?}", case.map(|case| (case.operation, case.slip)));
+        let told = |case: Result<&ForcesCase, Vec<FieldFault>>| format!("{:?}", case.map(|case| (case.operation, case.slip)));
         assert_eq!(told(template.case(row)), told(long.case(row)), "{pointers:?} = {row:?} of {request}");
     }
     matches!(template.direct, Direct::Open(..))

@@ -1,7 +1,8 @@
 //! How do sinkage, forces, power and energy of a wheel develop over time? Telemetry, one sample after another.
 //!
 //! Each sample is an operating point of its own. Only time, energy and events carry over, so memory stays constant and the
-//! forces of a row do not depend on earlier rows.
+//! forces of a row do not depend on earlier rows. Where a sinkage is solved for, its search starts from the rows before it, and
+//! ends within its tolerance of where it would end alone.
 //!
 //! * Power P = T ω. Energy ∫ P dt by the trapezoidal rule, which is exact where the power is linear between samples.
 //! * A sample without a result is skipped: the trapezoid spans the gap between its neighbours. Where time runs backwards, no
@@ -17,6 +18,7 @@ mod findings;
 mod reached;
 mod refusal;
 mod sample;
+mod solved;
 mod tally;
 
 pub use sample::{Channel, Measured, Sample, SampleMotion, Status, TrackRow};
@@ -34,6 +36,7 @@ use crate::pull_from_torque::torque_against_slip;
 use crate::rolling::WheelOnSoil;
 use reached::{Reached, Uncoupled};
 use refusal::{Refused, present};
+use solved::Solved;
 use tally::CompensatedSum;
 
 /// Follows a wheel over time.
@@ -62,6 +65,7 @@ pub struct Tracker {
     /// The latest static sinkage with the normal force (N) at its standstill.
     standstill: Option<(Sinkage, Option<f64>)>,
     backward: bool,
+    solved: Solved,
 }
 
 /// Most events that are kept; the rest are only counted.
@@ -129,6 +133,7 @@ impl Tracker {
             cautions: Vec::new(),
             standstill: None,
             backward: false,
+            solved: Solved::default(),
         })
     }
 
@@ -178,6 +183,7 @@ impl Tracker {
     fn accept(&mut self, index: u64, sinkage: Sinkage, reached: Reached) -> TrackRow {
         let Reached { mut row, mut outcome, heading, coupled } = reached;
         outcome.standstill_normal = self.standstill_normal(sinkage);
+        self.solved.keep(&sinkage, outcome.slip, row.sinkage);
         if row.power.is_finite() {
             if let Some((time, power)) = self.latest_power {
                 self.energy.add(0.5 * (power + row.power) * (row.time - time));

@@ -83,7 +83,8 @@ impl Tracker {
 
     /// The forces by the method, on the soil.
     fn on_soil(&self, sample: &Sample, motion: Motion) -> Result<Found, Refused> {
-        let point = self.operation.with_sinkage(motion.slip, &sample.sinkage).map_err(Refused::unsolved)?;
+        let near = self.solved.near(&sample.sinkage, motion.slip);
+        let point = self.operation.near(motion.slip, &sample.sinkage, near).map_err(Refused::unsolved)?;
         Ok(Found {
             forces: point.forces,
             outcome: Outcome::from(&point),
