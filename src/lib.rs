@@ -57,3 +57,4 @@ pub use limits::Limits;
 pub use metrics::Metrics;
 pub use router::{app, contract, layered};
 pub use state::Service;
+pub use stream::Begin;
