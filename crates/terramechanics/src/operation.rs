@@ -2,6 +2,7 @@
 
 use crate::abreast::Plan;
 use crate::error::Error;
+use crate::forces::resistive::contact_in_grains;
 use crate::forces::{ForceModel, Forces, Method};
 use crate::known_load::LoadedForces;
 use crate::load::CarriedLoad;
@@ -87,11 +88,7 @@ impl Operation {
     fn in_grains(&self, slip: Slip, sinkage: &Sinkage) -> Result<OperatingPoint, Error> {
         let rolling = self.model.rolling(&self.system, slip)?;
         let (sinkage, solved) = self.found(&rolling, sinkage, None)?;
-        let patch = self.model.contact(&rolling, sinkage)?;
-        let forces = match solved {
-            Some(forces) => forces,
-            None => self.model.forces(&patch)?,
-        };
+        let (patch, forces) = contact_in_grains(&rolling, sinkage, solved)?;
         let (angles, granular_stiffness) = (patch.angles, self.system.soil.granular_stiffness());
         let normal_stress_from = NormalStressFrom::Soil;
         Ok(OperatingPoint { slip, sinkage, angles, curve: None, granular_stiffness, normal_stress_from, forces })

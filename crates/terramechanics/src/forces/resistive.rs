@@ -10,7 +10,7 @@
 //! branch points at ±i e. With w = e sinh u they go to ±i π/2, far from the range of u, and the points crowd in the layer. A layer
 //! much thinner than the contact makes the range of u long. Then the last part of it, where all but the layer lies, is a panel of its
 //! own; what the points miss of the layer weighs little. A layer thinner than counts is
-//! taken for thicker, see [`LeadingEdge::crowding`].
+//! taken for thicker, see [`LeadingEdge`].
 //!
 //! A wheel that sinks by dz has all of its edge deeper by as much, so that dF/dz is the same integral without the depth d: the same
 //! points give both.
@@ -23,6 +23,7 @@ use crate::numerics::elementary::Number;
 use crate::numerics::gauss_legendre::{COARSE, FINE, LaneNodes};
 use crate::numerics::lanes::sum;
 use crate::numerics::level::level;
+use crate::patch::ContactPatch;
 use crate::resistive_force::LeadingEdge;
 use crate::rolling::Rolling;
 use fearless_simd::prelude::*;
@@ -43,7 +44,26 @@ pub(crate) fn forces_in_grains(rolling: &Rolling<'_>, sinkage: f64) -> Result<Fo
     if forces.is_finite() { Ok(forces) } else { Err(Error::NotFinite) }
 }
 
-/// The same over the granular stiffness: forces in m³, a torque in m⁴.
+/// The contact of a wheel at `sinkage` z (m), and the forces there unless they are `known`.
+///
+/// # Errors
+/// The same.
+#[inline]
+pub(crate) fn contact_in_grains<'a>(
+    rolling: &'a Rolling<'a>,
+    sinkage: f64,
+    known: Option<Forces>,
+) -> Result<(ContactPatch<'a>, Forces), Error> {
+    let edge = LeadingEdge::of_unit_stiffness(rolling, sinkage)?; // θm does not depend on the stiffness
+    let patch = rolling.leading_contact(sinkage, edge.peak())?;
+    let forces = match known {
+        Some(forces) => forces,
+        None => forces(&edge.in_soil_of(rolling.system)?),
+    };
+    if forces.is_finite() { Ok((patch, forces)) } else { Err(Error::NotFinite) }
+}
+
+/// The same forces over the granular stiffness: forces in m³, a torque in m⁴.
 ///
 /// # Errors
 /// What [`LeadingEdge::of_unit_stiffness`] refuses.
@@ -55,20 +75,20 @@ pub(crate) fn forces_per_stiffness(rolling: &Rolling<'_>, sinkage: f64) -> Resul
 /// look. None where there are no forces.
 pub(crate) fn forces_and_slopes_in_grains(rolling: &Rolling<'_>, sinkage: f64, coarse: bool) -> Option<(Forces, Forces)> {
     let edge = &LeadingEdge::of(rolling, sinkage).ok()?;
-    let (scale, range) = edge.crowding();
+    let range = edge.range;
     let ends = [0.0, (range - LONGEST).max(0.0), range];
     let [pressed, slopes] = if coarse {
-        dispatch!(level(), simd => sums::<_, _, true>(simd, &COARSE, edge, scale, &ends[1..]))
+        dispatch!(level(), simd => sums::<_, _, true>(simd, &COARSE, edge, edge.layer, &ends[1..]))
     } else {
         let ends = if range <= LONGEST { &ends[1..] } else { &ends };
-        dispatch!(level(), simd => sums::<_, _, true>(simd, &FINE, edge, scale, ends))
+        dispatch!(level(), simd => sums::<_, _, true>(simd, &FINE, edge, edge.layer, ends))
     };
     Some((pressed.forces(edge), slopes.forces(edge).scaled(sinkage)))
 }
 
 fn forces(edge: &LeadingEdge) -> Forces {
-    let (scale, range) = edge.crowding();
-    if range <= LONGEST { forces_by(edge, scale, &[0.0, range]) } else { forces_by(edge, scale, &[0.0, range - LONGEST, range]) }
+    let LeadingEdge { layer, range, .. } = *edge;
+    if range <= LONGEST { forces_by(edge, layer, &[0.0, range]) } else { forces_by(edge, layer, &[0.0, range - LONGEST, range]) }
 }
 
 /// The forces by panels of u with those ends.

@@ -5,11 +5,21 @@
 use fearless_simd::Level;
 
 /// The best lanes of this machine; in a test those it holds to, see [`held::to`].
+///
+/// What is built with `RUSTFLAGS='--cfg lanes="avx2"'` or `"sse2"` has no better ones: for measurements.
 #[inline]
 pub(crate) fn level() -> Level {
     #[cfg(test)]
     if let Some(level) = held::level() {
         return level;
+    }
+    #[cfg(all(target_arch = "x86_64", lanes = "avx2"))]
+    if let Some(lanes) = Level::new().as_avx2() {
+        return Level::Avx2(lanes);
+    }
+    #[cfg(all(target_arch = "x86_64", lanes = "sse2"))]
+    if let Some(lanes) = Level::new().as_sse2() {
+        return Level::Sse2(lanes);
     }
     Level::new()
 }

@@ -81,6 +81,9 @@ pub(crate) struct LeadingEdge {
     /// w1 = 2 sin(θ1/2) (–).
     pub(crate) reach: f64,
     pub(crate) motion: RimMotion,
+    /// Width e (–) of the layer that points crowd in by w = e sinh u, kept between the widths that count, and the range of u.
+    pub(crate) layer: f64,
+    pub(crate) range: f64,
 }
 
 /// A place of the leading edge.
@@ -108,6 +111,15 @@ impl LeadingEdge {
         Ok(Self { stiffness: stiffness(rolling.system)?, ..Self::of_unit_stiffness(rolling, sinkage)? })
     }
 
+    /// The same edge in the soil of a wheel.
+    ///
+    /// # Errors
+    /// [`Error::MissingLaw`] where the soil has no granular stiffness.
+    #[inline]
+    pub(crate) fn in_soil_of(self, system: &WheelOnSoil) -> Result<Self, Error> {
+        Ok(Self { stiffness: stiffness(system)?, ..self })
+    }
+
     /// The same in a soil of ξ = 1 N/m³.
     ///
     /// # Errors
@@ -120,7 +132,10 @@ impl LeadingEdge {
             return Err(Error::SinkageOutsideWheel { sinkage, radius });
         }
         let motion = RimMotion::of(wheel, rolling.system.contact.circles(), rolling.slip);
-        Ok(Self { stiffness: 1.0, radius, width, reach: (2.0 * sinkage / radius).sqrt(), motion })
+        let reach = (2.0 * sinkage / radius).sqrt();
+        let layer = motion.layer().clamp(THINNEST * reach, WIDEST * reach);
+        let end = reach / layer; // at least a quarter, so that the sum keeps the digits of its logarithm
+        Ok(Self { stiffness: 1.0, radius, width, reach, motion, layer, range: (end + (end * end + 1.0).sqrt()).ln() })
     }
 
     /// The place at a chord w (–) from the lowest point.
@@ -132,14 +147,6 @@ impl LeadingEdge {
         let depth = (-chord + self.reach) * (chord + self.reach) * (0.5 * self.radius);
         let Response { along, up } = Response::of(Direction { sin, cos }, self.motion.direction(chord, sin));
         Place { sin, cos, cos_half, depth, normal: up * cos - along * sin, shear: along * cos + up * sin }
-    }
-
-    /// Width e (–) of the layer that points crowd in by w = e sinh u, kept between the widths that count, and the range of u.
-    #[inline]
-    pub(crate) fn crowding(&self) -> (f64, f64) {
-        let scale = self.motion.layer().clamp(THINNEST * self.reach, WIDEST * self.reach);
-        let end = self.reach / scale; // at least a quarter, so that the sum keeps the digits of its logarithm
-        (scale, (end + (end * end + 1.0).sqrt()).ln())
     }
 
     /// The place at `theta` (rad); none outside the edge.

@@ -1,6 +1,6 @@
 //! Where is the normal stress of grains largest?
 //!
-//! The edge is sampled closely where γ swings, over all of it first, then between the neighbours of the highest place, until the
+//! The stress has one summit. The edge is sampled closely where γ swings, over all of it first, then between the neighbours of the highest place, until the
 //! samples are close. A quartic through five of them gives the rest. The stress is flat there, so it has all of its digits where the
 //! place has six or so.
 
@@ -31,19 +31,19 @@ impl LeadingEdge {
     /// Its chord (–).
     #[inline(always)]
     fn highest<L: Simd>(&self, simd: L) -> f64 {
-        let (scale, whole) = self.crowding();
+        let whole = self.range;
         let stride = whole / (VECTORS * LANES) as f64;
         let mut highest = Sample { x: 0.0, y: f64::NEG_INFINITY };
         for vector in 0..VECTORS {
             let first = (vector * LANES) as f64 * stride;
-            let row = self.row(simd, scale, [first, stride]);
+            let row = self.row(simd, [first, stride]);
             let best = row[highest_of(&row)];
             highest = if best.y > highest.y { best } else { highest };
         }
         let (mut left, mut right) = ((highest.x - stride).max(0.0), (highest.x + stride).min(whole));
         for _ in 0..ROUNDS {
             let step = (right - left) / (LANES - 1) as f64;
-            let row = self.row(simd, scale, [left, step]);
+            let row = self.row(simd, [left, step]);
             let best = highest_of(&row);
             (left, right) = ((row[best].x - step).max(left), (row[best].x + step).min(right));
             highest = row[best];
@@ -58,21 +58,21 @@ impl LeadingEdge {
             }
             break;
         }
-        self.chord(scale, highest.x)
+        self.chord(highest.x)
     }
 
-    /// Chord w = e sinh u (–) at a place u, where e is the `scale` of the crowding.
+    /// Chord w = e sinh u (–) at a place u.
     #[inline(always)]
-    fn chord<F: Number>(&self, scale: f64, place: F) -> F {
+    fn chord<F: Number>(&self, place: F) -> F {
         let growth = place.exp();
-        ((growth - growth.like(1.0) / growth) * (0.5 * scale)).at_most(self.reach)
+        ((growth - growth.like(1.0) / growth) * (0.5 * self.layer)).at_most(self.reach)
     }
 
     /// σ/ξ (m) at eight places.
     #[inline(always)]
-    fn row<L: Simd>(&self, simd: L, scale: f64, [first, step]: [f64; 2]) -> [Sample; LANES] {
+    fn row<L: Simd>(&self, simd: L, [first, step]: [f64; 2]) -> [Sample; LANES] {
         let places = f64x8::simd_from(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]) * step + first;
-        let at = self.at(self.chord(scale, places));
+        let at = self.at(self.chord(places));
         let stresses = at.depth * at.normal;
         let mut row = [Sample { x: first, y: 0.0 }; LANES];
         for (lane, sample) in row.iter_mut().enumerate() {
