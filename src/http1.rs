@@ -6,7 +6,7 @@
 //! the connection after the answer, as RFC 9112 (section 6.3) allows.
 
 use axum::extract::Request;
-use axum::http::header::{CONNECTION, HOST, TRANSFER_ENCODING};
+use axum::http::header::{CONNECTION, CONTENT_LENGTH, HOST, TRANSFER_ENCODING};
 use axum::http::uri::Authority;
 use axum::http::{HeaderMap, HeaderValue, Version};
 use axum::middleware::Next;
@@ -15,6 +15,10 @@ use axum::response::{IntoResponse, Response};
 use crate::problem::Problem;
 use crate::{coding, rest};
 
+/// The length of the body was declared, so that its client has the whole of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Declared;
+
 /// Wraps every request: refuses an ambiguous one, and makes the body ready for its reader.
 pub(crate) async fn receive(request: Request, next: Next) -> Response {
     let (mut parts, body) = request.into_parts();
@@ -22,6 +26,9 @@ pub(crate) async fn receive(request: Request, next: Next) -> Response {
         // What follows on the connection may be the rest of this request or the next one.
         let closing = [(CONNECTION, HeaderValue::from_static("close"))];
         return (closing, Problem::Ambiguous(fault)).into_response();
+    }
+    if parts.headers.contains_key(CONTENT_LENGTH) {
+        parts.extensions.insert(Declared);
     }
     let body = rest::read_to_its_end(body, &parts.headers);
     match coding::unpacked(body, &mut parts.headers) {

@@ -58,3 +58,4 @@ pub use limits::Limits;
 pub use metrics::Metrics;
 pub use router::{app, contract, layered};
 pub use state::Service;
+pub use stream::Begin;

@@ -65,6 +65,8 @@ pub struct Contract {
     plain: OnceLock<Document>,
     shown: OnceLock<Vec<Shown>>,
     known: OnceLock<Vec<Known>>,
+    /// Where the service is for those outside, if that was set.
+    public_url: OnceLock<String>,
     text: OnceLock<Bytes>,
     fixed: OnceLock<Fixed>,
 }
@@ -83,10 +85,18 @@ impl Contract {
         self.plain.get_or_init(|| document);
     }
 
+    /// Says where the service is for those outside; the first word stands.
+    pub(crate) fn served_at(&self, public_url: &str) {
+        self.public_url.get_or_init(|| public_url.to_owned());
+    }
+
     /// The document, with its examples.
     #[must_use]
     pub fn document(&self) -> Document {
         let mut document = self.plain.get().cloned().unwrap_or_else(frame);
+        if let (Some(url), Some(server)) = (self.public_url.get(), document.servers.iter_mut().flatten().next()) {
+            server.url.clone_from(url);
+        }
         if let Some(components) = &mut document.components {
             quantity::add_units(&mut components.schemas);
         }

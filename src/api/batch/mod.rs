@@ -39,7 +39,8 @@ pub(crate) use run::shared_faults;
 /// makes no request, `no_solution: …` where the model has no answer, in the words of /v1/forces. What all rows lack, such as a
 /// soil, is a problem of the whole. The numbers are those of /v1/forces.
 ///
-/// Rows are answered while others still arrive, in constant memory. Behind the rows of a CSV stand comments:
+/// Rows are answered in constant memory: while others still arrive where the body is sent in chunks, and when the body has ended
+/// where its length is declared or a proxy passes it on. Behind the rows of a CSV stand comments:
 /// `#warning,<code>,<detail>` for each warning, with the rows that it holds for, counted from 0; and `#end,<rows>` as the last line
 /// of a whole answer. In NDJSON the last line is an object with `end`, `rows` and `warnings`. An answer without that line was cut;
 /// where the reason is known the last line is `#error,<detail>`, or an object with `error`.
@@ -61,5 +62,7 @@ pub(crate) async fn batch(State(service): State<Service>, request: Request) -> R
     let wanted = request::wanted(request.uri())?;
     let place = service.pool().stream_place()?;
     let limits = *service.limits();
-    stream::answer_in_blocks(Batch::new(wanted, form, answer), request.into_body(), place, &limits).await
+    let (parts, body) = request.into_parts();
+    let body = stream::ready(&parts, body, service.spool(), &limits).await?;
+    stream::answer_in_blocks(Batch::new(wanted, form, answer), body, place, &limits).await
 }

@@ -30,6 +30,9 @@ impl Varied for VehicleCase {
         rover_columns().collect()
     }
 
+    /// A rover takes as long as a hundred wheels and more.
+    const ROWS_PER_BLOCK: usize = 16;
+
     fn refusal(&self) -> Option<FieldFault> {
         let is_one = matches!(self.slopes, Slopes::One(_));
         (!is_one).then(|| FieldFault::new("/slope_rad", "must be one slope here; an axis over `/slope_rad` has several"))

@@ -81,7 +81,7 @@ impl GridCase {
             return Ok(());
         }
         let detail = format!(
-            "make {} points; an answer in JSON has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson",
+            "make {} points; an answer in JSON has at most {MOST_IN_COLUMNS} rows; accept text/csv, application/x-ndjson or application/vnd.apache.arrow.stream",
             self.len()
         );
         Err(Problem::Invalid(vec![FieldFault::new(format!("/{}", axes::AXES.name), detail)]))
