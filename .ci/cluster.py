@@ -14,6 +14,8 @@ from distributed import Client
 
 BIN = Path(sys.executable).parent
 LONGEST = 120  # s
+# That a worker is lost is what is wanted here.
+QUIET = {"DASK_LOGGING__DISTRIBUTED": "critical"}
 
 
 def sums(program):
@@ -25,7 +27,11 @@ def sums(program):
 
 
 def start(*command, **settings):
-    return subprocess.Popen(command, env={**os.environ, **settings}, stdout=subprocess.PIPE, text=True)
+    return subprocess.Popen(command, env={**os.environ, **QUIET, **settings}, stdout=subprocess.PIPE, text=True)
+
+
+def serve(*command):
+    return subprocess.Popen(command, env={**os.environ, **QUIET}, stdout=subprocess.DEVNULL)
 
 
 def half_done(dask_scheduler):
@@ -53,11 +59,11 @@ def main(command):
     expected = sums(start(sys.executable, *command))
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "scheduler.json"
-        scheduler = start(
+        scheduler = serve(
             BIN / "dask", "scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", file
         )
         workers = {
-            name: start(
+            name: serve(
                 BIN / "dask", "worker", "--scheduler-file", file, "--name", name, "--nthreads", "1", "--no-nanny",
                 "--no-dashboard", "--local-directory", folder,
             )

@@ -7,7 +7,6 @@ cd "$(dirname "$0")/.."
 python=$PWD/.ci/.cache/python/bin
 export PYTHONDONTWRITEBYTECODE=1
 
-# The dependencies are those of the program, which are built already.
 rm -rf .ci/.cache/wheels
 "$python/maturin" build --release --locked --manifest-path crates/python/Cargo.toml --interpreter "$python/python" \
     --target-dir "${CARGO_TARGET_DIR:-target}" --out .ci/.cache/wheels

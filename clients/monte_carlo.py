@@ -15,7 +15,8 @@ import pandas
 import terramechanics
 
 rows = int(float(sys.argv[1])) if len(sys.argv) > 1 else 10_000_000
-folder = Path(sys.argv[2] if len(sys.argv) > 2 else tempfile.mkdtemp())
+temporary = tempfile.TemporaryDirectory()  # removed at the end
+folder = Path(sys.argv[2] if len(sys.argv) > 2 else temporary.name)
 ROWS_OF_PART = min(250_000, -(-rows // 8))
 
 
@@ -46,7 +47,7 @@ with terramechanics.engine():
     pull = forces.longitudinal_force_n
     sums, count, ok, stuck = dask.compute(forces[WANTED].sum(), forces.shape[0], (forces.status == "ok").sum(), (pull < 0).sum())
 
-print(f"{count} rows in {folder}, {ok} with an answer; the wheel pushes nothing forward in {stuck / count:.2%}")
+print(f"{count} rows, {ok} with an answer; the wheel pushes nothing forward in {stuck / count:.2%}")
 print("sums", *(repr(float(value)) for value in sums), int(ok), int(stuck))
 
 # From here on the example is checked: all rows are there, and some of them are requests of their own.

@@ -6,6 +6,8 @@ from typing import Any, final
 from numpy import float64, uint8
 from numpy.typing import NDArray
 
+__all__ = ["Problem", "Rows", "Table", "answer", "fail", "operations"]
+
 class Problem(Exception):
     """A request without an answer: the problem document of the service, as JSON."""
 

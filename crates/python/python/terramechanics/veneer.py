@@ -88,15 +88,16 @@ def batch(
 def answered(names: Sequence[str], cells_of: Callable[[str], Cells], common: Common, threads: int | None) -> Rows:
     """The answers to rows of columns with these names, whose cells `cells_of` gives."""
     # That a column is no field is told before that it has neither numbers nor texts.
-    Table(names, common)
+    table = Table(names, common)
     if common.extra_columns == "ignore":
         names = [name for name in names if is_field(name, common.of)]
+        table = Table(names, common)
     cells = {name: cells_of(name) for name in names}
     counts = {len(values) for values, _, _ in cells.values()}
     if len(counts) > 1:
         lengths = ", ".join(f"`{name}` {len(values)}" for name, (values, _, _) in cells.items())
         raise ValueError(f"the columns differ in their number of rows: {lengths}")
-    return Table(names, common).answer(list(cells.values()), counts.pop() if counts else 0, threads)
+    return table.answer(list(cells.values()), counts.pop() if counts else 0, threads)
 
 
 def is_field(name: str, of: Of) -> bool:
