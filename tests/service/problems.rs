@@ -51,7 +51,7 @@ fn what_is_missing_is_named() {
     let empty = json!({"wheel": {}, "soil": {}, "slip": 0, "sinkage_m": 0.01});
     let fields = ["/wheel/radius_m", "/wheel/width_m", "/soil/cohesion_pa", "/soil/friction_angle_rad", "/soil/shear_modulus_m"];
     assert_eq!(post("/v1/forces", &empty).pointers(), [fields.as_slice(), &["/soil/pressure_sinkage"]].concat());
-    assert_eq!(post("/v1/forces", &with(&letter(), json!({"contact": {}}))).pointers(), ["/contact/rule"]);
+    assert_eq!(post("/v1/forces", &with(&letter(), json!({"contact": {"c1": 0.4}}))).pointers(), ["/contact/rule"]);
     let law = with(&letter(), json!({"soil": {"pressure_sinkage": null}}));
     let law = with(&law, json!({"soil": {"pressure_sinkage": {"n0": 1}}}));
     assert_eq!(post("/v1/forces", &law).pointers(), ["/soil/pressure_sinkage/law"]);

@@ -137,10 +137,10 @@ fn what_the_method_does_not_take_is_refused_where_it_stands() {
     assert_eq!(post("/v1/towed", &grains(load)).pointers(), ["/braking"]);
     assert_eq!(post("/v1/stress-profile", &grains(json!({"braking": "two_zone"}))).pointers(), ["/braking"]);
     let fit = json!({
-        "wheel": {"radius_m": 0.2, "width_m": 0.1}, "soil": {"preset": "letter-sand"}, "method": "resistive_force",
-        "fit": ["cohesion_pa"], "data": {"slip": [0.1, 0.2], "sinkage_m": [0.01, 0.01], "torque_n_m": [1, 2]}
+        "wheel": {"radius_m": 0.2, "width_m": 0.1}, "soil": {"preset": "letter-sand", "bulk_density_kg_m3": 1600},
+        "method": "resistive_force", "fit": ["cohesion_pa"], "data": {"slip": [0.1, 0.2], "sinkage_m": [0.01, 0.01], "torque_n_m": [1, 2]}
     });
-    assert_eq!(post("/v1/identify", &fit).pointers(), ["/method"]);
+    assert_eq!(post("/v1/identify", &fit).pointers(), ["/fit/0"]);
 }
 
 #[test]

@@ -164,8 +164,11 @@ impl Unknown {
     #[must_use]
     pub fn value(self, setup: &Setup) -> Option<f64> {
         let Setup { soil, contact, model, sinkage, .. } = setup;
+        let by_grains = model.method == Method::ResistiveForce;
         match self.row().home {
-            Home::Soil if self == Self::GRANULAR_STIFFNESS && model.method != Method::ResistiveForce => None,
+            Home::Soil if self == Self::GRANULAR_STIFFNESS && !by_grains => None,
+            Home::Soil if by_grains && self == Self::COHESION => None,
+            Home::Shear | Home::PressureSinkage | Home::Rule | Home::Interface if by_grains => None,
             Home::Soil => found(Soil::PARAMETERS, &soil.values(), self.name()),
             Home::Shear => soil.shear.and_then(|law| self.of_law(law.law(), &law.values())),
             Home::PressureSinkage => soil.pressure_sinkage.and_then(|law| self.of_law(law.law(), &law.values())),
