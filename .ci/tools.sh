@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 
 # Without a font a page has no text to measure or to see.
 missing=()
-for package in chromium curl fonts-dejavu-core octave python3-venv; do
+for package in chromium curl fonts-dejavu-core haproxy nginx-light octave python3-venv; do
     dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep --quiet '^installed$' || missing+=("$package")
 done
 if [[ ${#missing[@]} -gt 0 ]]; then

@@ -49,6 +49,11 @@ impl Budget {
 }
 
 impl Share {
+    /// Adds another share of the same budget.
+    pub(crate) fn join(&mut self, other: Self) {
+        self.0.merge(other.0);
+    }
+
     /// Part of this share, for `bytes` or what is left of them; none where nothing is left.
     pub(crate) fn split(&mut self, bytes: usize) -> Option<Self> {
         let units = bytes.div_ceil(UNIT).min(self.0.num_permits());

@@ -7,6 +7,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::limits::Limits;
 use crate::server::{Bounds, Slowest};
+use crate::stream::Begin;
 
 /// Forces of a wheel on soil, over HTTP: an API and a plotting page.
 #[derive(Debug, Parser)]
@@ -45,6 +46,10 @@ pub struct Serve {
     /// Address to listen on; port 0 takes a free one.
     #[arg(long, env = "TERRAMECHANICS_LISTEN", default_value = DEFAULT_ADDRESS, value_name = "IP:PORT")]
     pub listen: SocketAddr,
+
+    /// Where clients find the service, with the path of a proxy in front, e.g. https://example.org/soil. The contract names it.
+    #[arg(long, env = "TERRAMECHANICS_PUBLIC_URL", value_parser = public_url, value_name = "URL")]
+    pub public_url: Option<String>,
 
     /// What to log, e.g. info, debug, or terramechanics_server=debug,info.
     #[arg(long, env = "TERRAMECHANICS_LOG", default_value = "info", value_name = "FILTER")]
@@ -125,6 +130,17 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_STREAM_TIMEOUT", default_value_t = 3600, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "SECONDS")]
     pub stream_timeout: u64,
 
+    /// When the answer to a stream begins. Auto: with the first row, but after the body where its length was declared, or where
+    /// a header (Via, Forwarded, X-Forwarded-…, X-Real-IP) or HTTP/1.0 tells of a proxy, which may stop to send once an answer
+    /// begins.
+    #[arg(long, env = "TERRAMECHANICS_STREAM_BEGIN", default_value = "auto", value_name = "WHEN")]
+    pub stream_begin: Begin,
+
+    /// Bytes of temporary files for all streams that are kept until they have ended, and for one of them. Beyond that a stream
+    /// by a proxy is answered with 503 or 413, another before it has ended.
+    #[arg(long, env = "TERRAMECHANICS_SPOOL_LIMIT", default_value_t = 1 << 30, value_parser = memory(), value_name = "BYTES")]
+    pub spool_limit: u64,
+
     /// Connections that may be open at once. One more takes the place of one that waits for a request, or for 2 s for more of a
     /// body or a reader; where there is none, it has one of 16 places of a reserve, where only /healthz, /readyz and /metrics are answered, all else with 503.
     #[arg(long, env = "TERRAMECHANICS_MAX_CONNECTIONS", default_value_t = 1024, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
@@ -170,6 +186,8 @@ impl Serve {
             stream_places: usize::from(self.stream_places),
             stream_idle: Duration::from_secs(self.stream_idle_timeout),
             stream_deadline: Duration::from_secs(self.stream_timeout),
+            stream_begin: self.stream_begin,
+            spool: usize::try_from(self.spool_limit).unwrap_or(usize::MAX),
         }
     }
 
@@ -199,6 +217,15 @@ fn threads(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(threads @ 1..=256) => Ok(threads),
         _ => Err("must be a whole number from 1 to 256".into()),
+    }
+}
+
+/// An address without query, whose path has no slash at its end, because those of the contract begin with one.
+fn public_url(text: &str) -> Result<String, String> {
+    let uri: axum::http::Uri = text.parse().map_err(|_| "must be an address, such as https://example.org/soil")?;
+    match (uri.scheme_str(), uri.host(), uri.query()) {
+        (Some("http" | "https"), Some(_), None) if !text.contains('#') => Ok(text.trim_end_matches('/').to_owned()),
+        _ => Err("must be an address with http or https, such as https://example.org/soil".into()),
     }
 }
 
@@ -250,11 +277,24 @@ mod tests {
             ["--body-limit", "10"],
             ["--compute-places", "0"],
             ["--log-format", "xml"],
+            ["--stream-begin", "late"],
+            ["--public-url", "example.org/soil"],
+            ["--public-url", "https://example.org/soil?a=b"],
             ["--no-such", "1"],
         ] {
             assert!(Config::try_parse_from(["terramechanics"].into_iter().chain(wrong)).is_err(), "{wrong:?}");
         }
         assert!(Config::try_parse_from(["terramechanics", "--listen", "[::1]:0", "--workers", "2"]).is_ok());
+    }
+
+    #[test]
+    fn a_public_address_has_no_slash_at_its_end() {
+        for (given, kept) in
+            [("https://example.org/soil/", "https://example.org/soil"), ("http://[::1]:8080", "http://[::1]:8080")]
+        {
+            let config = Config::try_parse_from(["terramechanics", "--public-url", given]).expect("an address");
+            assert_eq!(config.serve.public_url.as_deref(), Some(kept));
+        }
     }
 
     #[test]

@@ -12,5 +12,5 @@ use crate::state::Service;
 pub(crate) fn routes() -> Router<Service> {
     Router::new()
         .route("/docs", get(|headers: HeaderMap| async move { file("explorer/index.html", &headers) }))
-        .route("/docs/", get(|| async { Redirect::permanent("/docs") }))
+        .route("/docs/", get(|| async { Redirect::permanent("../docs") }))
 }

@@ -6,12 +6,16 @@
 //! the connection after the answer, as RFC 9112 (section 6.3) allows.
 
 use axum::extract::Request;
-use axum::http::header::{HOST, TRANSFER_ENCODING};
+use axum::http::header::{CONTENT_LENGTH, HOST, TRANSFER_ENCODING};
 use axum::http::uri::Authority;
 use axum::http::{HeaderMap, HeaderValue, Version};
 
 use crate::problem::Problem;
 use crate::{coding, rest};
+
+/// The length of the body was declared, so that its client has the whole of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Declared;
 
 /// The request with a body that is ready for its reader.
 ///
@@ -21,6 +25,9 @@ pub(crate) fn received(request: Request) -> Result<Request, Problem> {
     let (mut parts, body) = request.into_parts();
     if let Some(fault) = ambiguity(parts.version, &parts.headers) {
         return Err(Problem::Ambiguous(fault));
+    }
+    if parts.headers.contains_key(CONTENT_LENGTH) {
+        parts.extensions.insert(Declared);
     }
     let body = rest::read_to_its_end(body, &parts.headers);
     let body = coding::unpacked(body, &mut parts.headers)?;

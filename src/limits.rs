@@ -3,6 +3,10 @@
 use std::time::Duration;
 
 use crate::compute::PoolBounds;
+use crate::stream::Begin;
+
+/// Threads that read and write files.
+const FILE_THREADS: usize = 4;
 
 /// Limits of the service.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +33,10 @@ pub struct Limits {
     pub stream_idle: Duration,
     /// Time in which a stream has to end.
     pub stream_deadline: Duration,
+    /// When the answer to a stream begins.
+    pub stream_begin: Begin,
+    /// Room for all streams that are kept until they have ended, and for one of them (bytes of files).
+    pub spool: usize,
 }
 
 impl Limits {
@@ -42,10 +50,10 @@ impl Limits {
         }
     }
 
-    /// Threads of the runtime that computations may hold at once, at the most.
+    /// Threads of the runtime that computations and files may hold at once, at the most.
     #[must_use]
     pub fn blocking_threads(&self) -> usize {
-        self.pool().blocking_threads()
+        self.pool().blocking_threads() + FILE_THREADS
     }
 }
 
@@ -63,6 +71,8 @@ impl Default for Limits {
             stream_places: 64,
             stream_idle: Duration::from_secs(30),
             stream_deadline: Duration::from_secs(3600),
+            stream_begin: Begin::default(),
+            spool: 1 << 30,
         }
     }
 }

@@ -90,6 +90,9 @@ pub fn contract() -> Arc<Contract> {
 /// The router of the service, with every layer on.
 pub fn app(service: Service) -> Router {
     let (routes, contract) = documented();
+    if let Some(url) = service.public_url() {
+        contract.served_at(url);
+    }
     layered(routes.merge(page::routes()).merge(docs::routes()), contract, service)
 }
 

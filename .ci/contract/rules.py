@@ -57,6 +57,9 @@ SIDEWAYS = ["slip_angle_rad", "shear_coupling", "bulldozing"]
 # Values that say the same as leaving the field out.
 NEUTRAL = {"slip_angle_rad": [0], "rut": [False]}
 
+# How the name of a schema ends as answers have it.
+ANSWERED = "Answered"
+
 # Columns of words.
 WORDS = ["status", "stop_reason"]
 
@@ -69,8 +72,11 @@ NOT_PUBLISHED = "is required: the catalogue has no published value"
 @schemathesis.hook
 def before_load_schema(context, raw_schema):
     schemas = raw_schema["components"]["schemas"]
+    answers_as_they_stand(raw_schema)
     whole_laws(schemas)
     for name, schema in schemas.items():
+        if name.endswith(ANSWERED):
+            continue
         slip = SOLVED_SLIP if has(schema, sum(SOLVED_SLIP, [])) else SLIP
         groups = [group for group in (SINKAGE, slip) if has(schema, sum(group, []))]
         if name == "TrackColumns":
@@ -130,7 +136,28 @@ def before_load_schema(context, raw_schema):
         asked = [with_its_content(raw_schema, parameter) for parameter in operations.get("get", {}).get("parameters", [])]
         if any("." in parameter["name"] for parameter in asked):
             operations["get"]["parameters"] = rover(asked) if "mass_kg" in {of["name"] for of in asked} else one_way(asked)
-    null_is_absent(raw_schema["components"]["schemas"])
+    null_is_absent([schema for name, schema in schemas.items() if not name.endswith(ANSWERED)])
+
+
+def answers_as_they_stand(document):
+    """Answers keep the contract's own schemas: the rules below are about requests only."""
+    schemas = document["components"]["schemas"]
+    answered = {name + ANSWERED: referring_to_answers(deepcopy(schema)) for name, schema in schemas.items()}
+    for operations in document["paths"].values():
+        for operation in operations.values():
+            referring_to_answers(operation["responses"])
+    for response in document["components"].get("responses", {}).values():
+        referring_to_answers(response)
+    schemas.update(answered)
+
+
+def referring_to_answers(part):
+    for inner in part.values() if isinstance(part, dict) else part:
+        if isinstance(inner, (dict, list)):
+            referring_to_answers(inner)
+    if isinstance(part, dict) and str(part.get("$ref", "")).startswith("#/components/schemas/"):
+        part["$ref"] += ANSWERED
+    return part
 
 
 def whole_laws(part):
@@ -310,10 +337,10 @@ def one_way(parameters):
 
 def rover(parameters):
     """A query for a rover with what it needs; tests of the service compare the rest with the body."""
-    needed = ["mass_kg", "wheels.count", "wheels.wheel.preset", "soil.preset", "slope_rad"]
+    needed = ["mass_kg", "wheels.count", "wheels.wheel.preset", "soil.preset"]
     taken = {"soil.preset": {"enum": PRESETS}, "wheels.wheel.preset": {"enum": ["letter"]}, "mass_kg": {"enum": [20]}}
-    kept = [of for of in parameters if of["name"] in needed]
-    return [{**of, "required": True, "schema": taken.get(of["name"], of["schema"])} for of in kept]
+    kept = [of for of in parameters if of["name"] in [*needed, "slope_rad"]]
+    return [{**of, "required": of["name"] in needed, "schema": taken.get(of["name"], of["schema"])} for of in kept]
 
 
 def by_soil(schema):

@@ -67,6 +67,8 @@ pub struct Contract {
     /// The document is made when it is asked for: it takes megabytes, and most services are never asked.
     source: OnceLock<Source>,
     known: OnceLock<Vec<Known>>,
+    /// Where the service is for those outside, if that was set.
+    public_url: OnceLock<String>,
     text: OnceLock<Bytes>,
     fixed: OnceLock<Fixed>,
 }
@@ -84,10 +86,18 @@ impl Contract {
         self.source.get_or_init(|| source);
     }
 
+    /// Says where the service is for those outside; the first word stands.
+    pub(crate) fn served_at(&self, public_url: &str) {
+        self.public_url.get_or_init(|| public_url.to_owned());
+    }
+
     /// The document, with its examples.
     #[must_use]
     pub fn document(&self) -> Document {
         let (mut document, shown) = self.source.get().map_or_else(|| (frame(), Vec::new()), |source| source());
+        if let (Some(url), Some(server)) = (self.public_url.get(), document.servers.iter_mut().flatten().next()) {
+            server.url.clone_from(url);
+        }
         if let Some(components) = &mut document.components {
             quantity::add_units(&mut components.schemas);
         }

@@ -30,7 +30,10 @@ impl<R: request::Request> FromRequest<Service> for Input<R> {
 }
 
 /// Reads and checks a body.
-fn read<R: request::Request>(body: &[u8]) -> Result<Accepted<R>, Problem> {
+///
+/// # Errors
+/// [`Problem::NotJson`], and [`Problem::Invalid`] with all faults.
+pub(crate) fn read<R: request::Request>(body: &[u8]) -> Result<Accepted<R>, Problem> {
     let node = json(body).map_err(|unread| match unread {
         Unread::NotJson(error) => {
             let (line, column) = (error.line(), error.column());

@@ -37,6 +37,20 @@ impl RowsForm {
         Self::ALL.into_iter().fold(self, |best, form| if wanted(form) > wanted(best) { form } else { best })
     }
 
+    /// The form of rows in which an answer to a JSON body is wanted; none where JSON is wanted, or no form is preferred to it.
+    pub(crate) fn preferred_to_json(headers: &HeaderMap) -> Option<Self> {
+        let accept = headers.get(ACCEPT).and_then(|value| value.to_str().ok())?;
+        let mut most = wanted(accept, &["application/json"]);
+        let mut best = None;
+        for form in Self::ALL {
+            let wanted = wanted(accept, form.media_types());
+            if wanted > most {
+                (best, most) = (Some(form), wanted);
+            }
+        }
+        best
+    }
+
     /// Its media types, the one that is sent first.
     fn media_types(self) -> &'static [&'static str] {
         match self {

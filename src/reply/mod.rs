@@ -1,5 +1,6 @@
 //! Answers as they stand on the wire: what several operations share.
 
+pub(crate) mod arrow;
 mod assuming;
 mod estimate;
 mod method;

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use terramechanics::{AngleRatio, Contact, ContactParams, ExitRule, Interface, PeakRule, SinkageRatio};
+use terramechanics::{AngleRatio, Contact, ContactParams, ExitRule, Interface, PeakRule, SinkageRatio, WongReece};
 use terramechanics_reading::{Base, Chosen, Field, Number, Object, Reader, Tagged, Variant};
 
 use super::laws::{chosen, own_field, variants};
@@ -31,6 +31,8 @@ pub(crate) const INTERFACE: Field<&Object> = Field::new(
     &INTERFACE_OBJECT,
 );
 const C3: Field<Number> = own_field(&AngleRatio::C3);
+const C1: Field<Number> = own_field(&WongReece::C1);
+const C2: Field<Number> = own_field(&WongReece::C2);
 
 /// The contact of a request: a rule for its peak, and what every contact has.
 pub(crate) const FORMS: Tagged = Tagged {
@@ -46,7 +48,7 @@ pub(crate) const FORMS: Tagged = Tagged {
     },
     also: &[&EXIT, &INTERFACE],
     without_word: Some(
-        "Single values of the contact that the catalogue measured with the soil, in place of its own; the rule and its other values stay. Without such a contact, `rule` is required.",
+        "Single values of the contact that the catalogue measured with the soil, in place of its own; the rule and its other values stay. Without such a contact the rule is midpoint, with c3 = 0.",
     ),
 };
 
@@ -57,14 +59,16 @@ fn of_form(Chosen { index, values }: &Chosen) -> Option<ContactParams> {
     Some(ContactParams { rule: chosen(PeakRule::LAWS, *index, values)?, exit, ..ContactParams::MIDPOINT })
 }
 
-/// The contact that was sent, if one was; without the circles. What it leaves out is that of the `measured` one, if it names no rule.
+/// The contact that was sent, if one was; without the circles. What it leaves out is that of the `measured` one, if it
+/// names no rule; of the midpoint, where none was measured and nothing belongs to another rule.
 pub(crate) fn read(
     object: &Reader<'_>,
     field: &Field<&'static Tagged>,
     measured: Option<&Contact>,
     needs: Needs<'_>,
 ) -> Option<Option<ContactParams>> {
-    let measured = measured.map(Contact::params);
+    let takes_midpoint = object.within(field).is_some_and(|sent| !sent.has(&C1) && !sent.has(&C2));
+    let measured = measured.or_else(|| takes_midpoint.then_some(&Contact::MIDPOINT)).map(Contact::params);
     let value = |name: &str| {
         let parameters = measured.into_iter().flat_map(|params| params.rule.parameters().chain(params.exit.parameters()));
         parameters.into_iter().find(|(of, _)| of.name == name).map(|(_, value)| value)

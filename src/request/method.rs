@@ -32,8 +32,8 @@ pub(crate) const METHOD_FIELD: Field<Word<MethodName>> = Field::new(
 /// The method of a fit.
 pub(crate) const METHOD_OF_FIT: Field<Word<MethodName>> = Field::new(
     METHOD_FIELD.name,
-    "quadrature: the integral of the stresses; linearised: linear stresses, closed form; explicit: the letter's formulas. The method resistive_force has none of the laws whose parameters are fitted.",
-    Word::new(METHODS.words.split_at(LETTER_METHODS).0).or(MethodName::Quadrature),
+    "quadrature: the integral of the stresses; linearised: linear stresses, closed form; explicit: the letter's formulas; resistive_force: the stresses of dry grains, of which `granular_stiffness_n_m3` or, beside a density, `friction_angle_rad` can be fitted.",
+    METHODS.or(MethodName::Quadrature),
 );
 /// The method of what is found by integrals alone.
 pub(crate) const METHOD_OF_INTEGRALS: Field<Word<MethodName>> = Field::new(

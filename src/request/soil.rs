@@ -77,7 +77,7 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     let preset = Preset::read(object, &PRESET);
     let value = |field: &Field<Number>| preset.value(object, field, (needs.fitted)(field.name));
     let or_none = |field: &Field<Number>| preset.optional(object, field).map(|value| value.unwrap_or(0.0));
-    let weights = Weights::read(object, &preset);
+    let weights = Weights::read(object, &preset).map(|weights| weights.with_fitted(needs.fitted));
     let weights =
         if needs.granular_stiffness { weights.map(|weights| weights.with_assumed_density(object, &preset)) } else { weights };
     let follows = needs.granular_stiffness && weights.as_ref().is_some_and(|weights| weights.granular_stiffness.is_none());

@@ -13,7 +13,7 @@ pub(crate) const WHEEL: Field<&Object> = Field::required("wheel", "The wheel.", 
 pub(crate) const SOIL: Field<&Object> = Field::required("soil", "The soil.", &soil::SOIL);
 pub(crate) const CONTACT: Field<&Tagged> = Field::new(
     "contact",
-    "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0. Without `rule` its values replace those that the catalogue measured.",
+    "The contact; else what the catalogue measured with the soil, else midpoint with c3 = 0. Without `rule` its values replace those of that contact.",
     &contact::FORMS,
 );
 

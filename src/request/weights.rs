@@ -40,6 +40,11 @@ impl Weights {
         })
     }
 
+    /// The same with the start of a granular stiffness that is fitted and was not sent.
+    pub(super) fn with_fitted(self, fitted: &dyn Fn(&str) -> Option<f64>) -> Self {
+        Self { granular_stiffness: self.granular_stiffness.or_else(|| fitted(GRANULAR_STIFFNESS.name)), ..self }
+    }
+
     /// The same with a density that may be assumed, where the granular stiffness needs one and none was published.
     pub(super) fn with_assumed_density(self, object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Self {
         let needed = self.bulk_density.is_none() && self.granular_stiffness.is_none();

@@ -50,6 +50,13 @@ pub(crate) struct Columns {
     pub(crate) kept: Vec<Option<DataType>>,
 }
 
+impl Columns {
+    /// Their number, with those that are no fields.
+    pub(crate) fn len(&self) -> usize {
+        self.field_of.len()
+    }
+}
+
 impl Wanted {
     /// The columns of these names, or all that is wrong with them.
     pub(super) fn columns(&self, names: &[String]) -> Result<Columns, Vec<FieldFault>> {

@@ -5,11 +5,14 @@ mod block;
 mod columns;
 mod csv;
 mod echo;
+mod memory;
 mod ndjson;
 
 pub(crate) use block::{Block, Shape};
 pub(crate) use columns::{Columns, Echo, Wanted};
 pub(crate) use echo::EchoedCell;
+pub use memory::Cells;
+pub(crate) use memory::{columns_of, fill};
 
 use std::sync::Arc;
 

@@ -25,6 +25,11 @@ impl Incoming {
         Self { body, input: Bytes::new(), last: false, limits: *limits, deadline }
     }
 
+    /// What is there and what still comes.
+    pub(super) fn into_rest(self) -> (Bytes, Body) {
+        (self.input, self.body)
+    }
+
     /// Waits for input, if there is none left and more can come. A wait that is given up loses nothing.
     ///
     /// # Errors

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use axum::body::{Body, Bytes};
-use axum::http::HeaderValue;
 use axum::http::header::CONTENT_TYPE;
+use axum::http::{HeaderName, HeaderValue};
 use axum::response::{IntoResponse, Response};
 use http_body_util::channel;
 use tokio::time::timeout;
@@ -40,7 +40,12 @@ pub(super) async fn respond<P: Pieces>(mut pieces: P, media_type: &'static str, 
         tokio::spawn(pump(pieces, first, sender, idle));
         Body::new(receiver)
     };
-    Ok(([(CONTENT_TYPE, HeaderValue::from_static(media_type))], body).into_response())
+    // nginx would otherwise collect the rows of a slow stream before it passes them on.
+    let headers = [
+        (CONTENT_TYPE, HeaderValue::from_static(media_type)),
+        (HeaderName::from_static("x-accel-buffering"), HeaderValue::from_static("no")),
+    ];
+    Ok((headers, body).into_response())
 }
 
 /// The answer is not complete.

@@ -84,7 +84,9 @@ pub(crate) fn quadratures() -> (usize, usize) {
     };
     let straight = records().iter().filter(|record| record.side_slip.is_none());
     let beside: usize = straight.map(|record| sensitivity::RUNS * record.points().slip.len()).sum();
-    (of(false) + beside, of(true))
+    let pooled = Pooled::kept();
+    let of_pooled: usize = pooled.sets.iter().filter_map(|id| record(id)).map(|record| record.points().slip.len()).sum();
+    (of(false) + beside + pooled.variants.len() * of_pooled, of(true))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What the model gives at the points of a set: each is the request that a client would send to `/v1/forces`.
 
+use serde_json::{Map, Value};
 use terramechanics::{Caution, OperatingPoint, Outcome, WheelOnSoil, cautions};
 use terramechanics_reading::Node;
 
@@ -8,6 +9,20 @@ use super::{Record, Run};
 use crate::api::forces::ForcesCase;
 use crate::request::checked;
 use crate::warning::{Reason, RowCautions};
+
+/// What a request has in place of what its set has.
+pub(super) struct Variation<'v> {
+    /// Values of fields of the soil.
+    pub(super) of_soil: &'v [(&'v str, f64)],
+    /// Fields of the request.
+    pub(super) fields: Option<&'v Map<String, Value>>,
+    /// A field with the sinkage of a row, beside its load.
+    pub(super) sinkage: &'v dyn Fn(usize) -> Option<(&'static str, f64)>,
+}
+
+impl Variation<'_> {
+    const NONE: Self = Self { of_soil: &[], fields: None, sinkage: &|_| None };
+}
 
 /// What one run gives at the measured slips and loads.
 #[derive(Debug)]
@@ -27,9 +42,14 @@ impl Prediction {
 
     /// The same with other values of these fields of the soil.
     pub(super) fn with(record: &Record, run: &'static Run, of_soil: &[(&str, f64)]) -> Self {
+        Self::varied(record, run, &Variation { of_soil, ..Variation::NONE })
+    }
+
+    /// The same with what a variation has in place of the set's own.
+    pub(super) fn varied(record: &Record, run: &'static Run, variation: &Variation<'_>) -> Self {
         let mut prediction = Self { run, points: Vec::new(), cautions: RowCautions::default() };
         for row in 0..record.points().slip.len() {
-            let found = point(record, run, row, of_soil);
+            let found = point(record, run, row, variation);
             prediction.points.push(found.map(|(point, cautions)| {
                 prediction.cautions.add(row, cautions.into_iter());
                 point
@@ -59,8 +79,8 @@ impl Prediction {
 }
 
 /// The operating point of a row, or why there is none.
-fn point(record: &Record, run: &Run, row: usize, of_soil: &[(&str, f64)]) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
-    let case = case(record, run, row, of_soil).map_err(Reason::Request)?;
+fn point(record: &Record, run: &Run, row: usize, variation: &Variation<'_>) -> Result<(OperatingPoint, Vec<Caution>), Reason> {
+    let case = case(record, run, row, variation).map_err(Reason::Request)?;
     let (_, point) = case.point().map_err(Reason::Model)?;
     let cautions = cautions(&case.operation, &Outcome::from(&point)).collect();
     Ok((point, cautions))
@@ -68,11 +88,11 @@ fn point(record: &Record, run: &Run, row: usize, of_soil: &[(&str, f64)]) -> Res
 
 /// The wheel on its soil; none where the record is no request.
 pub(crate) fn system(record: &Record) -> Option<WheelOnSoil> {
-    case(record, record.runs().first()?, 0, &[]).ok().map(|case| case.operation.system)
+    case(record, record.runs().first()?, 0, &Variation::NONE).ok().map(|case| case.operation.system)
 }
 
-/// The request for a row, with other values of these fields of the soil.
-fn case(record: &Record, run: &Run, row: usize, of_soil: &[(&str, f64)]) -> Result<ForcesCase, String> {
+/// The request for a row, with what a variation has.
+fn case(record: &Record, run: &Run, row: usize, variation: &Variation<'_>) -> Result<ForcesCase, String> {
     let points = record.points();
     let mut body = run.fields();
     body["wheel"] = record.wheel.clone();
@@ -86,8 +106,14 @@ fn case(record: &Record, run: &Run, row: usize, of_soil: &[(&str, f64)]) -> Resu
     if let Some(side) = record.side_slip {
         body["slip_angle_rad"] = side.angle().into();
     }
-    for (name, value) in of_soil {
+    for (name, value) in variation.of_soil {
         body["soil"][*name] = (*value).into();
+    }
+    for (name, value) in variation.fields.into_iter().flatten() {
+        body[name] = value.clone();
+    }
+    if let Some((name, value)) = (variation.sinkage)(row) {
+        body[name] = value.into();
     }
     checked(&Node::from(&body)).map_err(|faults| {
         let told: Vec<String> = faults.iter().map(|fault| format!("{} {}", fault.pointer, fault.detail)).collect();
@@ -112,7 +138,7 @@ mod tests {
         for record in records() {
             for run in record.runs() {
                 for row in 0..record.points().slip.len() {
-                    assert_eq!(case(record, run, row, &[]).err(), None, "{} {}", record.id, run.series);
+                    assert_eq!(case(record, run, row, &Variation::NONE).err(), None, "{} {}", record.id, run.series);
                 }
             }
         }

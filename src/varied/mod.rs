@@ -12,8 +12,10 @@ mod faults;
 mod row;
 mod setter;
 mod template;
+mod templates;
 
-pub(crate) use faults::{RowFault, shared, varied_field};
+pub(crate) use faults::{shared, varied_field};
 pub(crate) use row::{RowStatus, Varied, tell_invalid};
 pub(crate) use setter::{IsSent, Part, Setter, names};
 pub(crate) use template::Template;
+pub(crate) use templates::Templates;

@@ -40,6 +40,9 @@ pub(crate) trait Varied: Request + Sync {
     /// The columns of a row.
     fn columns(&self) -> Vec<&'static About>;
 
+    /// Rows that one thread computes before their answers are sent.
+    const ROWS_PER_BLOCK: usize = 1024;
+
     /// Why such a request gives no row, although it is right by itself.
     fn refusal(&self) -> Option<FieldFault> {
         None

@@ -145,6 +145,11 @@ impl<R: Varied> Template<R> {
         if shared.is_empty() { Ok(None) } else { Err(shared) }
     }
 
+    /// Takes over what was assumed of a clone.
+    pub(crate) fn assume(&mut self, assumed: Option<&[Assumption]>) {
+        self.assumed = assumed.map(<[Assumption]>::to_vec);
+    }
+
     /// What was assumed of the request; no list where nothing may be.
     pub(crate) fn assumed(&self) -> Option<&[Assumption]> {
         self.assumed.as_deref()

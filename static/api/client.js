@@ -45,6 +45,12 @@ export class Unavailable extends Error {
  */
 
 /**
+ * A path of the contract as seen from the page, which may stand behind a proxy under a path of its own.
+ * @param {string} path
+ */
+export const beneath = (path) => path.replace(/^\//, "");
+
+/**
  * @template Answer
  * @param {string} path
  * @param {Asked<Answer>} asked
@@ -55,7 +61,7 @@ export async function answer(path, { request = {}, read, signal, patienceMs = PA
   const timer = setTimeout(giveUp, patienceMs);
   signal?.addEventListener("abort", giveUp);
   try {
-    const response = await fetch(path, { ...request, signal: patience.signal });
+    const response = await fetch(beneath(path), { ...request, signal: patience.signal });
     if (PASSING_STATUSES.includes(response.status)) {
       throw new Unavailable(`The service answered with status ${response.status}.`, Number(response.headers.get("Retry-After")) || null);
     }

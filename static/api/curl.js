@@ -1,5 +1,7 @@
 // Requests as commands of a shell.
 
+import { beneath } from "./client.js";
+
 /** @param {string} text */
 export const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
 
@@ -8,7 +10,7 @@ export const quoted = (text) => `'${text.replaceAll("'", "'\\''")}'`;
  * @param {object} body
  */
 export const curlCommand = (path, body) => [
-  `curl -sS ${quoted(location.origin + path)}`,
+  `curl -sS ${quoted(new URL(beneath(path), document.baseURI).href)}`,
   `  -H ${quoted("Content-Type: application/json")}`,
   `  -d ${quoted(JSON.stringify(body))}`,
 ].join(" \\\n");

@@ -83,7 +83,7 @@ function searchIn(contract) {
 }
 
 try {
-  const response = await fetch("/openapi.json");
+  const response = await fetch("openapi.json");
   if (!response.ok) throw new Error(`the service answered with status ${response.status}`);
   /** @type {Contract} */
   const contract = await response.json();

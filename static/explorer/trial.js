@@ -1,7 +1,7 @@
 // A request to be edited and sent, and its answer.
 
 import { html } from "../dom/elements.js";
-import { messageOf } from "../api/client.js";
+import { beneath, messageOf } from "../api/client.js";
 import { quoted } from "../api/curl.js";
 import { resolved, rowsOfField } from "./contract.js";
 import { fieldTable, folded, scrolled } from "./fields.js";
@@ -64,7 +64,7 @@ function shownText(type, text) {
 function curlCommand(url, { method, headers, body }) {
   const named = Object.entries(headers).map(([name, value]) => `  -H ${quoted(`${name}: ${value}`)}`);
   const data = typeof body === "string" ? [`  --data-binary ${quoted(body)}`] : [];
-  return [`curl -sS -X ${method} ${quoted(new URL(url, location.href).href)}`, ...named, ...data].join(" \\\n");
+  return [`curl -sS -X ${method} ${quoted(new URL(url, document.baseURI).href)}`, ...named, ...data].join(" \\\n");
 }
 
 /**
@@ -96,7 +96,7 @@ export function trial(contract, entry) {
     /** @type {Record<string, string>} */
     const headers = answers.length ? { Accept: wanted.select.value } : {};
     if (operation.requestBody) headers["Content-Type"] = sent.select.value;
-    return { url: query ? `${named}?${query}` : named, init: { method, headers, ...(operation.requestBody ? { body: body.value } : {}) } };
+    return { url: beneath(query ? `${named}?${query}` : named), init: { method, headers, ...(operation.requestBody ? { body: body.value } : {}) } };
   };
 
   const status = html("p", { role: "status", class: "answer-status" });

@@ -30,7 +30,7 @@ export function describedSet(set) {
   const { id, title, source, grade, note, fitted_to: fitted, warnings } = set;
   return [
     html("h3", {}, title),
-    html("p", { class: "source" }, html("span", { class: "grade" }, GRADES[grade] ?? grade), " ", source, " ", html("a", { href: `/v1/validation/${id}` }, "JSON")),
+    html("p", { class: "source" }, html("span", { class: "grade" }, GRADES[grade] ?? grade), " ", source, " ", html("a", { href: `v1/validation/${id}` }, "JSON")),
     ...(fitted ? [html("p", { class: "fitted" }, `Fitted: ${fitted}`)] : []),
     ...(note ? [html("p", { class: "note" }, ...sentenceHtml(note))] : []),
     ...warnings.map((warning) =>

@@ -98,6 +98,8 @@ fn every_answer_names_its_circles() {
     let of_load = json!({"sinkage_m": null, "normal_load_n": 80});
     let fit = json!({"sinkage_m": null, "slip": null, "fit": ["friction_angle_rad"],
         "data": {"slip": [0.1, 0.3], "sinkage_m": [0.02, 0.02], "torque_n_m": [4, 6]}});
+    let lugged_wheel = lugged(json!({}));
+    let rover = json!({"mass_kg": 20, "wheels": {"count": 4, "wheel": lugged_wheel["wheel"]}, "soil": lugged_wheel["soil"]});
     let bodies = [
         ("/v1/forces", lugged(json!({}))),
         ("/v1/stress-profile", lugged(json!({}))),
@@ -106,6 +108,7 @@ fn every_answer_names_its_circles() {
         ("/v1/towed", with(&lugged(json!({"slip": null})), of_load.clone())),
         ("/v1/track", with(&with(&lugged(json!({"slip": null})), of_load), json!({"columns": series}))),
         ("/v1/identify", lugged(fit)),
+        ("/v1/vehicle", rover),
     ];
     for (path, body) in &bodies {
         for (displacement, slip) in [("shearing", "rim"), ("rim", "lug_tip"), ("shearing", "shearing")] {

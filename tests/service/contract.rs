@@ -375,6 +375,7 @@ fn identification(body: &Value, pointer: &str) -> Value {
         }
         "/start/c1" | "/start/c2" => json!({"contact": {"rule": "wong_reece", "c1": 0.4, "c2": 0.1}, "start": {}}),
         "/start/lambda_a" | "/start/lambda_b" => json!({"method": "explicit", "start": {}}),
+        "/start/granular_stiffness_n_m3" => json!({"method": "resistive_force", "start": {}}),
         "/start/interface_adhesion_pa" => json!({"start": {}, "soil": {"cohesion_pa": 1e8}}),
         "/start/interface_friction_angle_rad" => {
             json!({"start": {}, "soil": {"friction_angle_rad": std::f64::consts::FRAC_PI_2.next_down()}})

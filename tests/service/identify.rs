@@ -269,3 +269,83 @@ fn outliers_and_deviations_and_starts_are_taken() {
     let reply = post("/v1/identify", &with(&request("explicit"), json!({"standard_deviation": deviations}))).ok();
     assert!(reply["reduced_chi_square"].as_f64().expect("a number") < 1e-6);
 }
+
+/// The load takes the place of the sinkage modulus: strength and shear modulus are found without a pressure–sinkage law, and a law
+/// that is there changes nothing in the closed forms.
+#[test]
+fn under_a_known_load_a_fit_needs_no_law() {
+    for method in ["linearised", "explicit"] {
+        let mut data = measured(&cohesive(), method);
+        data["normal_load_n"] = data["normal_force_n"].take();
+        let fit = |soil: Value| {
+            let fit = ["cohesion_pa", "friction_angle_rad", "shear_modulus_m"];
+            let wheel = json!({"radius_m": 0.2, "width_m": 0.1});
+            post("/v1/identify", &json!({"wheel": wheel, "soil": soil, "method": method, "fit": fit, "data": data})).ok()
+        };
+        let bare = fit(json!({}));
+        assert_eq!((&bare["converged"], &bare["identifiable"]), (&json!(true), &json!(true)), "{bare}");
+        for (name, expected) in [("cohesion_pa", 400.0), ("friction_angle_rad", 0.478), ("shear_modulus_m", 0.015)] {
+            let found = value(&bare, name);
+            assert!((found / expected - 1.0).abs() < 1e-6, "{method}, {name}: {found}");
+        }
+        assert_eq!(bare["soil"]["pressure_sinkage"], Value::Null);
+        assert_eq!(
+            bare["rmse"].as_object().map(|of| of.keys().cloned().collect::<Vec<_>>()),
+            Some(vec!["longitudinal_force_n".to_owned(), "torque_n_m".to_owned()])
+        );
+        let law = json!({"pressure_sinkage": {"law": "direct", "k_s": 1e5, "n0": 1.3}});
+        assert_eq!(fit(law)["estimates"], bare["estimates"], "{method}");
+    }
+}
+
+#[test]
+fn a_known_load_stands_beside_a_sinkage_alone() {
+    let body = |changes: Value| post("/v1/identify", &with(&request("linearised"), json!({"data": changes})));
+    let load = json!([80, 80, 80, 80, 80, 80, 80, 80, 80]);
+    let both = body(json!({"normal_load_n": load}));
+    assert!(both.fault("/data/normal_load_n").starts_with("stands in place of `normal_force_n`"));
+    let alone = body(json!({"normal_load_n": load, "normal_force_n": null, "sinkage_m": null}));
+    assert!(alone.fault("/data/normal_load_n").starts_with("needs `sinkage_m`"));
+}
+
+/// By resistive force the stiffness is found, or the friction angle by which it follows from the density.
+#[test]
+fn the_grains_behind_forces_are_found() {
+    let grains = json!({"friction_angle_rad": 0.55, "bulk_density_kg_m3": 1600, "gravity_m_s2": 1.62});
+    let wheel = json!({"radius_m": 0.2, "width_m": 0.1});
+    let at = |slip: f64, sinkage: f64| {
+        let body = json!({"wheel": wheel, "soil": grains, "method": "resistive_force", "slip": slip, "sinkage_m": sinkage});
+        post("/v1/forces", &body).ok()
+    };
+    let points: Vec<Value> = SLIPS.iter().zip(SINKAGES).map(|(slip, sinkage)| at(*slip, sinkage)).collect();
+    let mut data = json!({"slip": SLIPS, "sinkage_m": SINKAGES});
+    for name in ["longitudinal_force_n", "normal_force_n", "torque_n_m"] {
+        data[name] = points.iter().map(|point| point[name].clone()).collect();
+    }
+    let fit = |soil: Value, parameter: &str, data: &Value| {
+        let body = json!({"wheel": wheel, "soil": soil, "method": "resistive_force", "fit": [parameter], "data": data});
+        post("/v1/identify", &body)
+    };
+    let is = |reply: &Value, name: &str, expected: f64| {
+        assert_eq!(reply["identifiable"], true, "{reply}");
+        let found = value(reply, name);
+        assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {found} against {expected}");
+        assert_eq!(estimate(reply, name)["found"], name, "a rough rim has no interface");
+    };
+    let stiffness = points[0]["granular_stiffness_n_m3"].as_f64().expect("a stiffness");
+    let of_nothing = fit(json!({}), "granular_stiffness_n_m3", &data).ok();
+    is(&of_nothing, "granular_stiffness_n_m3", stiffness);
+    let known = json!({"bulk_density_kg_m3": 1600, "gravity_m_s2": 1.62});
+    is(&fit(known, "friction_angle_rad", &data).ok(), "friction_angle_rad", 0.55);
+    // Under the measured load, with the sinkage solved.
+    let loads = with(&data, json!({"sinkage_m": null}));
+    is(&fit(json!({}), "granular_stiffness_n_m3", &loads).ok(), "granular_stiffness_n_m3", stiffness);
+    // The answer is a soil of a request as it stands.
+    let again = json!({"wheel": wheel, "soil": of_nothing["soil"], "method": "resistive_force", "slip": 0.1, "sinkage_m": 0.02});
+    let again = post("/v1/forces", &again).ok()["normal_force_n"].as_f64().expect("a force");
+    assert!((again / at(0.1, 0.02)["normal_force_n"].as_f64().expect("a force") - 1.0).abs() < 1e-6);
+    assert_eq!(fit(json!({}), "friction_angle_rad", &data).pointers(), ["/soil/bulk_density_kg_m3"]);
+    let soil = json!({"preset": "letter-sand"});
+    let by_laws = json!({"wheel": wheel, "soil": soil, "method": "linearised", "fit": ["granular_stiffness_n_m3"], "data": data});
+    assert_eq!(post("/v1/identify", &by_laws).pointers(), ["/fit/0"], "laws have no granular stiffness");
+}

@@ -2,7 +2,9 @@
 
 use axum::body::Body;
 
-use crate::asking::{get, request, send, send_unpacking};
+use terramechanics_server::{Limits, Service};
+
+use crate::asking::{get, request, send, send_to, send_unpacking};
 
 #[test]
 fn the_page_has_a_strict_policy() {
@@ -41,13 +43,18 @@ fn every_file_from(page: &str) -> Vec<String> {
         for (ending, expected) in [(".js", "text/javascript"), (".css", "text/css"), (".svg", "image/svg+xml")] {
             assert!(!path.ends_with(ending) || content_type.starts_with(expected), "{path} is {content_type}");
         }
+        // Behind a proxy the root may be elsewhere.
+        for absolute in ["href=\"/", "src=\"/", "fetch(\"/", "fetch(`/", "href: `/", "href: \"/"] {
+            assert!(!file.text.contains(absolute), "{path} has {absolute}");
+        }
         assert!(!file.header("content-security-policy").is_empty(), "{path} has no policy");
         let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
         for quoted in file.text.split(['"', '\'']) {
             if quoted.starts_with("./") || quoted.starts_with("../") {
                 to_read.push(resolved(folder, quoted));
-            } else if quoted.starts_with("/static/") && quoted.contains('.') {
-                to_read.push(quoted.to_owned());
+            } else if quoted.starts_with("static/") && quoted.contains('.') {
+                // Both pages stand at the root, or at the root of what a proxy serves.
+                to_read.push(format!("/{quoted}"));
             }
         }
         read.push(path);
@@ -103,5 +110,14 @@ fn the_explorer_is_a_page_like_the_other() {
     assert_eq!(page.status, 200);
     assert_eq!(page.header("content-security-policy"), get("/").header("content-security-policy"));
     assert!(every_file_from("/docs").iter().any(|path| path.ends_with(".js")));
-    assert_eq!(get("/docs/").header("location"), "/docs");
+    assert_eq!(get("/docs/").header("location"), "../docs");
+}
+
+#[test]
+fn the_contract_names_the_public_address() {
+    let servers =
+        |service| send_to(service, request("GET", "/openapi.json", &[], Body::empty())).ok()["servers"][0]["url"].clone();
+    let public_url = "https://example.org/soil";
+    assert_eq!(servers(Service::known_as(Limits::default(), Some(public_url.into()))), public_url);
+    assert_eq!(servers(Service::new(Limits::default())), "/");
 }

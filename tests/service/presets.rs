@@ -193,8 +193,20 @@ fn another_law_needs_all_its_values() {
     assert!(bare.fault("/soil/pressure_sinkage/law").starts_with("is required: one of bekker"));
     let shear = on(&json!({"preset": "letter-sand", "shear": {"residual_ratio": 0.5}}), Value::Null);
     assert!(shear.fault("/soil/shear/residual_ratio").starts_with("`janosi_hanamoto` has no such field"));
-    let contact = on(&json!({"preset": "letter-sand"}), json!({"c3": -0.1}));
+    let contact = on(&json!({"preset": "letter-sand"}), json!({"c1": 0.4, "c3": -0.1}));
     assert!(contact.fault("/contact/rule").starts_with("is required: one of midpoint"));
+}
+
+/// A contact without a rule is that of the soil, else the midpoint, with what was sent in place of its own.
+#[test]
+fn a_contact_may_leave_its_rule_out() {
+    let sand = json!({"preset": "letter-sand"});
+    for beside in
+        [json!({"c3": -0.1}), json!({"exit": {"ratio": 0.5}}), json!({"interface": {"friction_angle_rad": 0.3}}), json!({})]
+    {
+        let short = on(&sand, beside.clone()).ok();
+        assert_eq!(short, on(&sand, with(&json!({"rule": "midpoint"}), beside)).ok());
+    }
 }
 
 #[test]

@@ -22,7 +22,7 @@ impl Problem<'_> {
     pub(crate) fn jacobian(&self, values: &[f64], base: &[Prediction], free: &[usize]) -> Result<DMatrix<f64>, Obstacle> {
         let by_sinkage = match self.setup.sinkage {
             SinkageSource::Load => Some(self.by_sinkage(values, base)?),
-            SinkageSource::Measured | SinkageSource::Static { .. } => None,
+            SinkageSource::Measured | SinkageSource::UnderLoad | SinkageSource::Static { .. } => None,
         };
         let mut jacobian = DMatrix::zeros(self.rows(), free.len());
         for (column, &i) in free.iter().enumerate() {
@@ -53,7 +53,7 @@ impl Problem<'_> {
         self.by_row(|row, slip| {
             let sinkage = match setup.sinkage {
                 SinkageSource::Load => Sinkage::Given(base[row].sinkage * (1.0 + shift)),
-                SinkageSource::Measured | SinkageSource::Static { .. } => self.sinkage(setup, row),
+                SinkageSource::Measured | SinkageSource::UnderLoad | SinkageSource::Static { .. } => self.sinkage(setup, row),
             };
             setup.predicted(&system, slip, sinkage)
         })

@@ -34,6 +34,16 @@ pub struct Observations {
     pub torque: Option<Column>,
 }
 
+/// The measured quantities that give the sinkage, and are taken as known.
+fn taken(source: &SinkageSource) -> &'static [Quantity] {
+    match source {
+        SinkageSource::Measured => &[Quantity::Sinkage],
+        SinkageSource::Load => &[Quantity::Normal],
+        SinkageSource::UnderLoad => &[Quantity::Sinkage, Quantity::Normal],
+        SinkageSource::Static { .. } => &[],
+    }
+}
+
 impl Observations {
     /// The column of a quantity, if it was measured.
     #[must_use]
@@ -49,13 +59,9 @@ impl Observations {
     /// The quantities that are compared with predictions. Those that give the sinkage are taken as known.
     #[must_use]
     pub fn fitted(&self, source: &SinkageSource) -> Vec<Quantity> {
-        let taken = match source {
-            SinkageSource::Measured => Some(Quantity::Sinkage),
-            SinkageSource::Load => Some(Quantity::Normal),
-            SinkageSource::Static { .. } => None,
-        };
+        let taken = taken(source);
         let measured = Quantity::ALL.into_iter().filter(|quantity| self.column(*quantity).is_some());
-        measured.filter(|quantity| Some(*quantity) != taken).collect()
+        measured.filter(|quantity| !taken.contains(quantity)).collect()
     }
 
     /// Checks that the columns fit together and contain what the source of the sinkage needs.
@@ -64,14 +70,8 @@ impl Observations {
         if !(1..=MOST_SAMPLES).contains(&count) {
             return Err(FitError::Samples { count });
         }
-        let needed = match source {
-            SinkageSource::Measured => Some(Quantity::Sinkage),
-            SinkageSource::Load => Some(Quantity::Normal),
-            SinkageSource::Static { .. } => None,
-        };
-        if let Some(quantity) = needed
-            && self.column(quantity).is_none()
-        {
+        let needed = taken(source);
+        if let Some(&quantity) = needed.iter().find(|&&quantity| self.column(quantity).is_none()) {
             return Err(FitError::Missing(quantity));
         }
         let fitted = self.fitted(source);
@@ -89,7 +89,7 @@ impl Observations {
             if column.values.len() != count || column.deviation.as_ref().is_some_and(|deviation| deviation.len() != count) {
                 return Err(FitError::Length(quantity));
             }
-            let usable = |value: f64| value.is_finite() && (needed != Some(quantity) || value > 0.0);
+            let usable = |value: f64| value.is_finite() && (!needed.contains(&quantity) || value > 0.0);
             if let Some(row) = column.values.iter().position(|&value| !usable(value)) {
                 return Err(FitError::Value { quantity, row });
             }

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::time::Instant;
 
 use nalgebra::DVector;
-use terramechanics::{Error, Method, Sinkage, Slip};
+use terramechanics::{Error, KnownSinkage, Method, Sinkage, Slip};
 
 use crate::consent::Consent;
 use crate::error::FitError;
@@ -214,6 +214,10 @@ impl<'a> Problem<'a> {
         match setup.sinkage {
             SinkageSource::Measured => Sinkage::Given(at(self.observations.sinkage.as_ref())),
             SinkageSource::Load => Sinkage::CarryingLoad(at(self.observations.normal.as_ref())),
+            SinkageSource::UnderLoad => Sinkage::UnderLoad {
+                load: at(self.observations.normal.as_ref()),
+                sinkage: KnownSinkage::Given(at(self.observations.sinkage.as_ref())),
+            },
             SinkageSource::Static { static_sinkage, law } => Sinkage::FromStatic { static_sinkage, law },
         }
     }

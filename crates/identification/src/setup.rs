@@ -12,6 +12,8 @@ pub enum SinkageSource {
     Measured,
     /// The measured normal force is the load: the sinkage is the one that carries it.
     Load,
+    /// It was measured, and the measured normal force is the load that it carries: the load takes the place of the sinkage modulus.
+    UnderLoad,
     /// It follows from a static sinkage and the slip.
     Static {
         /// Static sinkage z0 (m).

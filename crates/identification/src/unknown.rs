@@ -38,6 +38,8 @@ impl Unknown {
     pub const COHESION: Self = Self::of(&Soil::COHESION);
     /// Internal friction angle φ (rad).
     pub const FRICTION_ANGLE: Self = Self::of(&Soil::FRICTION_ANGLE);
+    /// Granular stiffness ξ (N/m³), of the resistive force method.
+    pub const GRANULAR_STIFFNESS: Self = Self::of(&Soil::GRANULAR_STIFFNESS);
     /// Shear deformation modulus K (m).
     pub const SHEAR_MODULUS: Self = Self::of(&JanosiHanamoto::MODULUS);
     /// Sinkage modulus K_s of the direct law (Pa/m^N).
@@ -68,10 +70,12 @@ impl Unknown {
     pub const STATIC_SINKAGE: Self = Self::of(&WheelOnSoil::STATIC_SINKAGE);
 
     /// What a fit with that setup finds under its name. A wheel without lugs slips on the grains before the soil shears in itself, so
-    /// that without an interface of its own its strength and modulus are those between rim and soil.
+    /// that without an interface of its own its strength and modulus are those between rim and soil. By resistive force the rim is as
+    /// rough as the grains.
     #[must_use]
     pub fn found_by(self, setup: &Setup) -> Self {
-        if setup.wheel.lug_height() > 0.0 || setup.contact.interface.is_some() {
+        let by_grains = setup.model.method == Method::ResistiveForce;
+        if setup.wheel.lug_height() > 0.0 || setup.contact.interface.is_some() || by_grains {
             return self;
         }
         [
@@ -161,6 +165,7 @@ impl Unknown {
     pub fn value(self, setup: &Setup) -> Option<f64> {
         let Setup { soil, contact, model, sinkage, .. } = setup;
         match self.row().home {
+            Home::Soil if self == Self::GRANULAR_STIFFNESS && model.method != Method::ResistiveForce => None,
             Home::Soil => found(Soil::PARAMETERS, &soil.values(), self.name()),
             Home::Shear => soil.shear.and_then(|law| self.of_law(law.law(), &law.values())),
             Home::PressureSinkage => soil.pressure_sinkage.and_then(|law| self.of_law(law.law(), &law.values())),
@@ -173,7 +178,7 @@ impl Unknown {
             },
             Home::Sinkage => match sinkage {
                 SinkageSource::Static { static_sinkage, .. } => Some(*static_sinkage),
-                SinkageSource::Measured | SinkageSource::Load => None,
+                SinkageSource::Measured | SinkageSource::Load | SinkageSource::UnderLoad => None,
             },
         }
     }

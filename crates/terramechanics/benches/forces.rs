@@ -2,10 +2,11 @@
 
 use divan::{Bencher, black_box};
 use terramechanics::{
-    Bekker, CentreOfMass, Circles, Contact, ContactParams, Drive, ForceModel, Interface, JanosiHanamoto, KnownSinkage, Measured,
-    Method, NormalStressRadius, Operation, PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals, ShearLaw,
-    Sinkage, SinkageExponent, Slip, SlipRadius, SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile, Thresholds,
-    Tracker, Turning, Unloading, Vehicle, VehicleParams, Velocities, Wheel, WheelOnSoil, WheelParams, pull_from_torque,
+    Bekker, Braking, CentreOfMass, Circles, Contact, ContactParams, Drive, ForceModel, Interface, JanosiHanamoto, KnownSinkage,
+    Measured, Method, NormalStressRadius, Operation, PeakDepth, PressureSinkage, Pull, Sample, SampleMotion, ShapeIntegrals,
+    ShearLaw, Sinkage, SinkageExponent, Slip, SlipRadius, SlipSinkage, SlipSweep, Soil, SoilParams, Station, StressProfile,
+    Thresholds, Tracker, Turning, Unloading, Vehicle, VehicleParams, Velocities, Wheel, WheelOnSoil, WheelParams,
+    pull_from_torque,
 };
 
 fn main() {
@@ -117,6 +118,35 @@ fn solved_load_braking(bencher: Bencher<'_, '_>, method: &str) {
     one_point(bencher, method, Sinkage::CarryingLoad(80.0), -0.05);
 }
 
+/// A braking wheel of two zones: at a sinkage, and under a load, whose balance a bracket finds.
+#[divan::bench(args = ["given", "solved"])]
+fn two_zones(bencher: Bencher<'_, '_>, sinkage: &str) {
+    let plain = system();
+    let contact = plain.contact.with_braking(Braking::TwoZone);
+    let sinkage = if sinkage == "given" { Sinkage::Given(0.02) } else { Sinkage::CarryingLoad(80.0) };
+    let operation = Operation { system: WheelOnSoil { contact, ..plain }, model: model("quadrature"), sinkage };
+    assert!(operation.at(slip(-0.05)).is_ok());
+    bencher.bench_local(|| black_box(&operation).at(black_box(slip(-0.05))));
+}
+
+/// Braking slips, at a sinkage and under a load.
+#[divan::bench(args = METHODS)]
+fn sweep_1001_braking(bencher: Bencher<'_, '_>, method: &str) {
+    braking_sweep(bencher, method, Sinkage::Given(0.02));
+}
+
+#[divan::bench(args = METHODS)]
+fn sweep_1001_braking_solved_sinkage(bencher: Bencher<'_, '_>, method: &str) {
+    braking_sweep(bencher, method, Sinkage::CarryingLoad(80.0));
+}
+
+fn braking_sweep(bencher: Bencher<'_, '_>, method: &str, sinkage: Sinkage) {
+    let operation = operation(method, sinkage);
+    let slips: Vec<Slip> = (0..1001).map(|i| slip(-1e-4 * f64::from(i))).collect();
+    let mut columns = SlipSweep::of(&operation, &slips);
+    bencher.bench_local(|| columns.fill(black_box(&operation), black_box(&slips)));
+}
+
 fn sweep(bencher: Bencher<'_, '_>, method: &str, sinkage: Sinkage, points: u32) {
     let operation = operation(method, sinkage);
     let slips: Vec<Slip> = (0..points).map(|i| slip(f64::from(i) / f64::from(points - 1))).collect();
@@ -134,10 +164,37 @@ fn sweep_1001_solved_sinkage(bencher: Bencher<'_, '_>, method: &str) {
     sweep(bencher, method, Sinkage::CarryingLoad(80.0), 1001);
 }
 
-/// Ten times the points should cost ten times the time.
-#[divan::bench(args = METHODS)]
-fn sweep_10001_given_sinkage(bencher: Bencher<'_, '_>, method: &str) {
-    sweep(bencher, method, Sinkage::Given(0.02), 10_001);
+/// Rows that are found in one piece of a long sweep, and then given away.
+const PIECE: usize = 10_000;
+
+/// Ten times the points should cost ten times the time. The memory is that of one piece.
+#[divan::bench(args = [1_000, 10_000, 100_000, 1_000_000, 10_000_000], sample_count = 5, sample_size = 1)]
+fn growth_explicit(bencher: Bencher<'_, '_>, points: usize) {
+    growth(bencher, "explicit", points);
+}
+
+#[divan::bench(args = [1_000, 10_000, 100_000, 1_000_000, 10_000_000], sample_count = 3, sample_size = 1)]
+fn growth_quadrature(bencher: Bencher<'_, '_>, points: usize) {
+    growth(bencher, "quadrature", points);
+}
+
+fn growth(bencher: Bencher<'_, '_>, method: &str, points: usize) {
+    let operation = operation(method, Sinkage::Given(0.02));
+    let slips: Vec<Slip> = (0..PIECE.min(points)).map(|i| slip(i as f64 / PIECE as f64)).collect();
+    let mut columns = SlipSweep::of(&operation, &slips);
+    bencher.bench_local(|| {
+        for _ in 0..points / slips.len() {
+            columns.fill(black_box(&operation), black_box(&slips));
+        }
+    });
+}
+
+/// Sweeps side by side: a thread more should cost each of them nothing.
+#[divan::bench(args = METHODS, threads = [1, 2])]
+fn threads_1001_given_sinkage(bencher: Bencher<'_, '_>, method: &str) {
+    let operation = operation(method, Sinkage::Given(0.02));
+    let slips: Vec<Slip> = (0..1001).map(|i| slip(f64::from(i) / 1000.0)).collect();
+    bencher.bench(|| SlipSweep::of(black_box(&operation), black_box(&slips)));
 }
 
 #[divan::bench(sample_size = 1000)]

@@ -4,10 +4,14 @@
 //! the square of the error. One pass over the contact gives the forces and their slopes. The first passes take few nodes; the last
 //! takes all, and where its step is so small that the forces are linear in it, they are corrected instead of computed anew.
 //!
-//! On a wheel whose circle of displacement does not skid and whose exit is at the lowest point, F_z grows with z: any balance is the
-//! one. Elsewhere, and wherever a step goes astray, the search in a bracket (`load.rs`) decides.
+//! On a wheel whose circle of displacement does not skid and whose exit is at the lowest point, F_z grows with z, and so it does in
+//! grains: any balance is the one. Under a wheel that skids it need not grow throughout. There a balance counts where F_z rises through
+//! the load all the way from Bekker's estimate to it, as seen at [`ON_THE_WAY`]. Elsewhere, and wherever a step goes astray, the
+//! search in a bracket (`load.rs`) decides.
+//!
+//! The two zones of a braking wheel need a least sinkage, from which the search counts then.
 
-use crate::forces::{ForceModel, Forces};
+use crate::forces::{ForceModel, Forces, Method, resistive};
 use crate::load::{CarriedLoad, bekker_estimate};
 use crate::rolling::{Rolling, WheelOnSoil};
 
@@ -20,50 +24,49 @@ const SETTLED: f64 = 1.5e-3;
 /// Longest step in ln z that is followed.
 pub(crate) const LONGEST: f64 = 3.0;
 
+/// Places on the way from the balance to Bekker's estimate at which F_z is looked at under a wheel that skids, as shares of the way in
+/// ln z.
+const ON_THE_WAY: [f64; 2] = [0.5, 1.0];
+
+/// Distance in ln z from the balance within which a look by few nodes does not tell on which side of the load F_z is.
+const TOO_CLOSE: f64 = 0.05;
+
 /// Most passes with few nodes, and with all.
 const COARSE_PASSES: u32 = 6;
 const FINE_PASSES: u32 = 4;
 
+/// The load (N) that a wheel of that motion has to carry.
+struct Search<'a> {
+    model: &'a ForceModel,
+    rolling: &'a Rolling<'a>,
+    load: f64,
+    /// Sinkages (m) between which there is a contact; the search counts from the smaller.
+    least: f64,
+    most: f64,
+}
+
 /// A sinkage on the way, and what was found there.
 struct Pass {
-    sinkage: f64,
+    /// Sinkage beyond the least one (m).
+    beyond: f64,
     forces: Forces,
-    /// Change of the forces over ln z (N).
+    /// Change of the forces over the logarithm of that (N).
     slopes: Forces,
-    /// Step in ln z to the balance.
+    /// Step in that logarithm to the balance.
     step: f64,
 }
 
 impl ForceModel {
     /// The balance with `load` (N) near the sinkage `guess` (m), which is `close` where it comes from a neighbour; none where it is
-    /// not unique or the method finds no way.
+    /// not known to be the one or the method finds no way.
     pub(crate) fn approach(&self, rolling: &Rolling<'_>, load: f64, guess: f64, close: bool) -> Option<CarriedLoad> {
-        let kinematics = &rolling.kinematics;
-        if !self.has_slopes() || rolling.reversal.is_some() || kinematics.skid > 0.0 || rolling.slip.is_locked() {
+        if !self.has_slopes(rolling) {
             return None;
         }
-        let radius = rolling.system.wheel.radius();
-        let mut sinkage = guess.min(radius);
-        let mut iterations = 0;
-        let coarse_passes = if close || self.method.is_closed_form() { 0 } else { COARSE_PASSES };
-        for _ in 0..coarse_passes {
-            let pass = self.pass(rolling, load, sinkage, true)?;
-            iterations += 1;
-            sinkage = pass.next(radius)?;
-            if pass.step.abs() < SETTLED {
-                break;
-            }
-        }
-        let fine_passes = if self.method.is_closed_form() { COARSE_PASSES } else { FINE_PASSES };
-        for _ in 0..fine_passes {
-            let pass = self.pass(rolling, load, sinkage, false)?;
-            iterations += 1;
-            if pass.step.abs() <= LINEAR {
-                return pass.corrected(load, radius, iterations);
-            }
-            sinkage = pass.next(radius)?;
-        }
-        None
+        let (least, most) = rolling.sinkages();
+        let search = Search { model: self, rolling, load, least, most };
+        let found = search.balance(guess, close)?;
+        (self.has_one_balance(rolling) || search.rises_to(found.sinkage)?).then_some(found)
     }
 
     /// The same from Bekker's estimate; none for a load that is not greater than 0.
@@ -73,134 +76,99 @@ impl ForceModel {
         self.approach(rolling, load, guess, false)
     }
 
-    /// The forces at a sinkage (m) and the step from there.
-    fn pass(&self, rolling: &Rolling<'_>, load: f64, sinkage: f64, coarse: bool) -> Option<Pass> {
+    /// Whether the method knows how its forces change as the wheel sinks.
+    fn has_slopes(&self, rolling: &Rolling<'_>) -> bool {
+        match self.method {
+            Method::ResistiveForce => true,
+            Method::Quadrature => !rolling.slip.is_locked(),
+            Method::Linearised { .. } | Method::Explicit { .. } => !rolling.slip.is_locked() && rolling.reversal.is_none(),
+            Method::SideSlipping(_) => false,
+        }
+    }
+
+    /// Whether F_z grows with z where the contact leaves at the lowest point.
+    fn has_one_balance(&self, rolling: &Rolling<'_>) -> bool {
+        // All of an edge in grains is pushed up, see `response.rs`.
+        self.method == Method::ResistiveForce || rolling.reversal.is_none() && rolling.kinematics.skid <= 0.0
+    }
+
+    /// The forces at a sinkage (m) and their slopes over ln z.
+    fn forces_and_slopes(&self, rolling: &Rolling<'_>, sinkage: f64, coarse: bool) -> Option<(Forces, Forces)> {
+        if self.method == Method::ResistiveForce {
+            return resistive::forces_and_slopes_in_grains(rolling, sinkage, coarse);
+        }
         let patch = rolling.contact(sinkage).ok().filter(|patch| patch.angles.exit == 0.0)?;
         let (forces, changes) = self.forces_and_changes(&patch, coarse)?;
-        let slopes = changes.scaled(patch.entry_rate());
-        let step = (load / forces.normal).ln() * forces.normal / slopes.normal;
-        let followed = forces.normal > 0.0 && slopes.normal > 0.0 && step.abs() <= LONGEST;
-        followed.then_some(Pass { sinkage, forces, slopes, step })
+        Some((forces, changes.scaled(patch.entry_rate())))
     }
 }
 
-impl Pass {
-    /// The sinkage (m) a step away; none where the wheel is in to its axle and would sink further.
-    fn next(&self, radius: f64) -> Option<f64> {
-        (self.sinkage < radius || self.step < 0.0).then(|| (self.sinkage * self.step.exp()).min(radius))
+impl Search<'_> {
+    fn balance(&self, guess: f64, close: bool) -> Option<CarriedLoad> {
+        let closed_form = self.model.method.is_closed_form();
+        let mut beyond = if close { guess - self.least } else { guess }.min(self.most - self.least);
+        let mut iterations = 0;
+        let coarse_passes = if close || closed_form { 0 } else { COARSE_PASSES };
+        for _ in 0..coarse_passes {
+            let pass = self.pass(beyond, true)?;
+            iterations += 1;
+            beyond = self.next(&pass)?;
+            if pass.step.abs() < SETTLED {
+                break;
+            }
+        }
+        let fine_passes = if closed_form { COARSE_PASSES } else { FINE_PASSES };
+        for _ in 0..fine_passes {
+            let pass = self.pass(beyond, false)?;
+            iterations += 1;
+            if pass.step.abs() <= LINEAR {
+                return self.corrected(&pass, iterations);
+            }
+            beyond = self.next(&pass)?;
+        }
+        None
+    }
+
+    /// The forces at a sinkage (m) beyond the least one, and the step from there.
+    fn pass(&self, beyond: f64, coarse: bool) -> Option<Pass> {
+        let sinkage = self.least + beyond;
+        let (forces, slopes) = self.model.forces_and_slopes(self.rolling, sinkage, coarse)?;
+        let slopes = slopes.scaled(beyond / sinkage);
+        let step = (self.load / forces.normal).ln() * forces.normal / slopes.normal;
+        let followed = forces.normal > 0.0 && slopes.normal > 0.0 && step.abs() <= LONGEST;
+        followed.then_some(Pass { beyond, forces, slopes, step })
+    }
+
+    /// The sinkage (m) beyond the least one a step away; none where the wheel is in as far as it goes and would sink further.
+    fn next(&self, pass: &Pass) -> Option<f64> {
+        let span = self.most - self.least;
+        (pass.beyond < span || pass.step < 0.0).then(|| (pass.beyond * pass.step.exp()).min(span))
     }
 
     /// The balance, a linear step away.
-    fn corrected(&self, load: f64, radius: f64, iterations: u32) -> Option<CarriedLoad> {
-        let sinkage = self.sinkage * (1.0 + self.step);
-        let error = self.forces.integration_error;
-        let forces = Forces { integration_error: error, ..self.forces.plus(&self.slopes.scaled(self.step)) };
-        let found = CarriedLoad { sinkage, residual: forces.normal - load, iterations, forces };
-        (sinkage <= radius && forces.is_finite() && found.is_met(load)).then_some(found)
+    fn corrected(&self, pass: &Pass, iterations: u32) -> Option<CarriedLoad> {
+        let Pass { beyond, forces, slopes, step } = pass;
+        let sinkage = self.least + beyond * (1.0 + step);
+        let forces = Forces { integration_error: forces.integration_error, ..forces.plus(&slopes.scaled(*step)) };
+        let found = CarriedLoad { sinkage, residual: forces.normal - self.load, iterations, forces };
+        (sinkage <= self.most && forces.is_finite() && found.is_met(self.load)).then_some(found)
+    }
+
+    /// Whether F_z is seen to rise through the load between Bekker's estimate and a balance at `sinkage` (m).
+    fn rises_to(&self, sinkage: f64) -> Option<bool> {
+        let (wheel, span) = (&self.rolling.system.wheel, self.most - self.least);
+        let estimate = bekker_estimate(wheel, self.rolling.curve().ok()?, self.load).min(span);
+        let balance = sinkage - self.least;
+        let way = (estimate / balance).ln();
+        Some(way.abs() <= LONGEST && ON_THE_WAY.into_iter().map(|share| share * way).all(|way| self.rises_at(balance, way)))
+    }
+
+    /// Whether F_z grows at a place that is `way` in ln z off a `balance` (m beyond the least sinkage), from a side of the load that
+    /// fits.
+    fn rises_at(&self, balance: f64, way: f64) -> bool {
+        way.abs() < TOO_CLOSE || self.pass(balance * way.exp(), true).is_some_and(|pass| pass.step * way < 0.0)
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::circles::{Circles, SlipRadius};
-    use crate::contact::{Contact, ContactParams, PeakRule, WongReece};
-    use crate::forces::{Lambda, Method, PeakDepth};
-    use crate::pressure_sinkage::{Direct, PressureSinkage, SinkageExponent};
-    use crate::shear::{JanosiHanamoto, ShearLaw, WongPeak, WongResidual};
-    use crate::slip::Slip;
-    use crate::soil::{Soil, SoilParams};
-    use crate::wheel::{Wheel, WheelParams};
-
-    const EXACT: Method = Method::Explicit { peak_depth: PeakDepth::Geometric, lambda_a: Lambda::Exact, lambda_b: Lambda::Exact };
-    const METHODS: [Method; 4] = [Method::Quadrature, Method::LINEARISED, Method::EXPLICIT, EXACT];
-
-    /// Wheels with and without lugs, soils by every shear law, contacts by every rule for the peak.
-    fn systems() -> Vec<WheelOnSoil> {
-        let laws = [
-            ShearLaw::JanosiHanamoto(JanosiHanamoto { modulus: 0.012 }),
-            ShearLaw::WongResidual(WongResidual { residual_ratio: 0.6, peak_displacement: 0.02 }),
-            ShearLaw::WongPeak(WongPeak { peak_displacement: 0.03 }),
-        ];
-        let rules = [PeakRule::Midpoint, PeakRule::WongReece(WongReece { c1: 0.4, c2: 0.2 }), PeakRule::HalfSinkage];
-        let mut systems = Vec::new();
-        for (i, law) in laws.into_iter().enumerate() {
-            for (k, rule) in rules.into_iter().enumerate() {
-                let lug_height = if i == k { 0.0 } else { 0.015 };
-                let exponent = SinkageExponent { base: 0.7 + 0.2 * k as f64, slip_gain: 0.1, skid_gain: None };
-                systems.push(WheelOnSoil {
-                    wheel: Wheel::new(WheelParams { radius: 0.18, width: 0.12, lug_height, lug_coefficient: 0.5 })
-                        .expect("a wheel"),
-                    soil: Soil::new(SoilParams {
-                        cohesion: 200.0 * i as f64,
-                        friction_angle: 0.5,
-                        shear: Some(law),
-                        pressure_sinkage: Some(PressureSinkage::Direct(Direct { k_s: 6e5, exponent })),
-                        ..SoilParams::BARE
-                    })
-                    .expect("a soil"),
-                    contact: Contact::new(ContactParams {
-                        rule,
-                        circles: Circles { slip: SlipRadius::Rim, ..Circles::SHEARING },
-                        ..ContactParams::MIDPOINT
-                    })
-                    .expect("a contact"),
-                });
-            }
-        }
-        systems
-    }
-
-    #[test]
-    fn the_slopes_are_those_of_the_forces() {
-        const STEP: f64 = 1e-5;
-        const DIFFERENCE: f64 = 1e-7; // a central difference of that step errs by about its square
-        for (system, method) in systems().iter().flat_map(|system| METHODS.map(|method| (system, method))) {
-            let model = ForceModel::at_rim(method);
-            for (ratio, sinkage) in [(0.0, 1e-4), (0.1, 0.004), (0.4, 0.02), (1.0, 0.09)] {
-                let rolling = system.rolling(Slip::new(ratio).expect("a slip")).expect("a rolling wheel");
-                let at = |z: f64| model.forces(&rolling.contact(z).expect("a contact")).expect("forces");
-                let pass = model
-                    .pass(&rolling, at(sinkage).normal, sinkage, false)
-                    .unwrap_or_else(|| panic!("{system:?} {ratio} {sinkage} {:?}", at(sinkage)));
-                let (below, above) = (at(sinkage * (-STEP).exp()), at(sinkage * STEP.exp()));
-                for (slope, part) in [
-                    (pass.slopes.components.traction, (|f| f.components.traction) as fn(&Forces) -> f64),
-                    (pass.slopes.components.resistance, |f| f.components.resistance),
-                    (pass.slopes.components.normal_support, |f| f.components.normal_support),
-                    (pass.slopes.components.shear_support, |f| f.components.shear_support),
-                    (pass.slopes.torque, |f| f.torque),
-                ] {
-                    let difference = (part(&above) - part(&below)) / (2.0 * STEP);
-                    let scale = part(&above).abs().max(difference.abs());
-                    assert!(
-                        (slope - difference).abs() <= DIFFERENCE * scale,
-                        "{method:?} {ratio} {sinkage}: {slope} {difference}"
-                    );
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn the_approach_ends_where_the_bracket_does() {
-        const SOLVED: f64 = 1e-12;
-        for (system, method) in systems().iter().flat_map(|system| METHODS.map(|method| (system, method))) {
-            let model = ForceModel::at_rim(method);
-            for (ratio, load) in [(0.0, 1.0), (0.0, 80.0), (0.3, 5.0), (0.3, 300.0), (0.95, 60.0)] {
-                let rolling = system.rolling(Slip::new(ratio).expect("a slip")).expect("a rolling wheel");
-                let bracketed =
-                    model.solve_sinkage_in_bracket(&rolling, load, rolling.curve().expect("a curve")).expect("a balance");
-                for (factor, close) in [(0.4, false), (1.0, false), (2.5, false), (1.0 + 1e-4, true)] {
-                    let found = model.approach(&rolling, load, factor * bracketed.sinkage, close);
-                    let found = found.unwrap_or_else(|| panic!("{system:?} {ratio} {load} {factor} {bracketed:?}"));
-                    assert!((found.sinkage / bracketed.sinkage - 1.0).abs() <= SOLVED, "{method:?} {found:?} {bracketed:?}");
-                    let (forces, expected) = (&found.forces, &bracketed.forces);
-                    assert!((forces.longitudinal - expected.longitudinal).abs() <= SOLVED * expected.longitudinal_scale());
-                    assert!((forces.torque / expected.torque - 1.0).abs() <= SOLVED);
-                    assert!(found.residual.abs() <= SOLVED * load);
-                }
-            }
-        }
-    }
-}
+mod tests;

@@ -15,7 +15,7 @@
 //! Published tests differ in the circle of their slip, too: Ding et al. 2011 (source 6) count it on the shearing circle, others on
 //! the lug tips. Laws that depend on slip take it as it was counted.
 
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::slip::Slip;
 use crate::wheel::Wheel;
 

@@ -6,8 +6,8 @@
 use crate::circles::Kinematics;
 use crate::contact::angle_at_depth;
 use crate::numerics::circular::HalfArc;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::{Beside, Number};
+use crate::numerics::elementary::Number;
+use crate::numerics::lanes::Beside;
 use crate::rim::{RimEntry, RimPoint};
 
 /// What the circle of the displacement is ahead of the rim by: nothing where it is the rim.
@@ -45,7 +45,7 @@ impl<K: Number> Lead<K> {
         let outer_entry = angle_at_depth((offset + sinkage) / outer);
         let middle = HalfArc::of((entry + outer_entry) * 0.5);
         let sin = (radius - sinkage) * offset / (radius * outer) * 0.5 / middle.sin;
-        let half_arc = sin + sin * (sin * sin).arcsin_excess();
+        let half_arc = sin.arcsin();
         let excess = HalfArc::of(half_arc).excess;
         let displacement = outer * 2.0 * (complement * half_arc + ratio * (excess + sin * middle.one_minus_cos));
         Self { arc: half_arc * 2.0, displacement }
@@ -69,6 +69,14 @@ impl<K: Number> Way<K> {
         (point.half_arc * complement + point.lag * ratio) * (radius * 2.0) + self.lead.displacement
     }
 
+    /// dθ1'/dθ1 (–) as a wheel of `radius` r (m) sinks: how the circle of the displacement enters the soil.
+    #[inline(always)]
+    pub(crate) fn entry_turn(&self, [radius, sinkage]: [K; 2], entry: &RimEntry<K>) -> K {
+        let Kinematics { radius: outer, offset, .. } = self.kinematics;
+        let outer_entry = RimEntry::at_depth((offset + sinkage) / outer);
+        radius / outer * entry.sin() / outer_entry.sin()
+    }
+
     /// dj/dθ1 (m/rad) as a wheel of `radius` r (m) sinks, at a place that moves at `turn` = dθ/dθ1.
     ///
     /// dj/dθ1 = r_j [dθ1'/dθ1 − dθ/dθ1 − κ (cos θ1' dθ1'/dθ1 − cos θ dθ/dθ1)], with cos θ1' = (r − z)/r_j.
@@ -80,11 +88,9 @@ impl<K: Number> Way<K> {
         point: &RimPoint<F>,
         turn: F,
     ) -> F {
-        let Kinematics { radius: outer, offset, ratio, .. } = self.kinematics;
+        let Kinematics { radius: outer, ratio, .. } = self.kinematics;
         let outward = radius / outer;
-        let outer_entry = RimEntry::at_depth((offset + sinkage) / outer);
-        let entry_turn = outward * entry.sin() / outer_entry.sin(); // dθ1'/dθ1
-        let entry_rate = entry_turn * (-(ratio * outward * entry.cos()) + 1.0);
+        let entry_rate = self.entry_turn([radius, sinkage], entry) * (-(ratio * outward * entry.cos()) + 1.0);
         (point.cos * turn * ratio - turn + entry_rate) * outer
     }
 }

@@ -42,6 +42,8 @@ mod gravity;
 mod known_load;
 mod lateral;
 mod law;
+#[cfg(test)]
+mod levels;
 mod load;
 mod motion;
 mod numerics;

@@ -117,9 +117,14 @@ impl ForceModel {
 impl CarriedLoad {
     /// Whether the normal force meets `load` (N).
     pub(crate) fn is_met(&self, load: f64) -> bool {
-        let allowed = (LARGEST_RESIDUAL * self.forces.normal_scale().max(load)).min(LARGEST_MISS * load);
-        self.residual.abs() <= allowed
+        is_met(self.residual, self.forces.normal_scale(), load)
     }
+}
+
+/// Whether a normal force of that `scale` (N), which is beside the `load` (N) by a `residual` (N), meets it.
+#[inline]
+pub(crate) fn is_met(residual: f64, scale: f64, load: f64) -> bool {
+    residual.abs() <= (LARGEST_RESIDUAL * scale.max(load)).min(LARGEST_MISS * load)
 }
 
 /// Bekker's sinkage of a rigid wheel, z = (3 W / ((3 − N) b K_s √(2r)))^(2/(2N+1)) (Bekker 1956): a first guess.

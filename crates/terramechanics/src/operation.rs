@@ -37,16 +37,32 @@ impl Operation {
     }
 
     /// The same, with a sinkage (m) that is likely to be near the one that carries the load.
-    #[inline(always)]
     pub(crate) fn near(&self, slip: Slip, sinkage: &Sinkage, near: Option<f64>) -> Result<OperatingPoint, Error> {
-        if let Some(point) = Plan::of(&self.system, &self.model, sinkage).and_then(|plan| plan.alone(slip, near)) {
-            return Ok(point);
+        if let Sinkage::CarryingLoad(_) = sinkage {
+            return self.carrying(slip, sinkage, near);
+        }
+        // The answer is written where it belongs: a copy of it would cost a part of a closed form's time.
+        if let Some(plan) = Plan::of(&self.system, &self.model, sinkage)
+            && let Some((exponent, found)) = plan.alone(slip)
+        {
+            return Ok(plan.point(slip, exponent, &found));
+        }
+        self.by_steps(slip, sinkage, near)
+    }
+
+    /// The same at the sinkage that carries a load. Apart, so that other points do not carry its code along.
+    #[inline(never)]
+    fn carrying(&self, slip: Slip, sinkage: &Sinkage, near: Option<f64>) -> Result<OperatingPoint, Error> {
+        if let Some(plan) = Plan::of(&self.system, &self.model, sinkage)
+            && let Some((exponent, found)) = plan.carrying(slip, near)
+        {
+            return Ok(plan.point(slip, exponent, &found));
         }
         self.by_steps(slip, sinkage, near)
     }
 
     /// The same step by step, with a reason where there is no point.
-    #[inline]
+    #[inline(never)]
     fn by_steps(&self, slip: Slip, sinkage: &Sinkage, near: Option<f64>) -> Result<OperatingPoint, Error> {
         if let Sinkage::UnderLoad { sinkage, load } = *sinkage {
             return self.under_load(slip, &sinkage, load);

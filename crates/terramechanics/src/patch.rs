@@ -17,7 +17,7 @@ use crate::circles::Kinematics;
 use crate::contact::{AngleRates, Angles, angle_at_depth};
 use crate::displacement::{Lead, Way};
 use crate::error::Error;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::rim::{RimEntry, RimPoint};
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::zones::Zones;
@@ -98,10 +98,11 @@ impl ContactPatch<'_> {
         self.sinkage / self.rolling.system.wheel.radius() / self.entry.sin()
     }
 
-    /// How the angles move as the wheel sinks.
+    /// How the angles move as the wheel sinks: two zones part where they do at any sinkage.
     pub(crate) fn rates(&self) -> AngleRates {
         let WheelOnSoil { wheel, contact, .. } = self.rolling.system;
-        contact.rates(self.sinkage / wheel.radius(), self.rolling.slip.ratio())
+        let rates = contact.rates(self.sinkage / wheel.radius(), self.rolling.slip.ratio());
+        if self.has_two_zones() { AngleRates { peak: 0.0, ..rates } } else { rates }
     }
 
     /// Whether it is the contact of a braking wheel with two zones.
@@ -195,10 +196,9 @@ impl ContactPatch<'_> {
     /// dE/dθ1 (1/rad) at a place of a turning wheel with one zone, where E is `share` and which moves at `turn` = dθ/dθ1.
     #[inline(always)]
     pub(crate) fn mobilisation_rate<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
-        let Rolling { strength, system, .. } = self.rolling;
-        let rate = self.way().displacement_rate([system.wheel.radius(), self.sinkage], &self.entry, point, turn);
-        let x = Number::abs(self.displacement(point)) * strength.per_shear_scale;
-        self.rolling.shear().steepness(x, share) * rate * strength.per_shear_scale
+        let radius = self.rolling.system.wheel.radius();
+        let rate = self.way().displacement_rate([radius, self.sinkage], &self.entry, point, turn);
+        self.rolling.mobilisation_rate(self.displacement(point), share, rate)
     }
 
     /// Shear displacement j (m) at `theta` (rad): 0 where its circle enters the soil, not negative where that circle does not

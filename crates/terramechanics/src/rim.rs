@@ -4,7 +4,8 @@
 //! light wheel on firm ground (z/r = 1e-6) keeps its digits.
 
 use crate::numerics::circular::HalfArc;
-use crate::numerics::lanes::{Beside, Number};
+use crate::numerics::elementary::Number;
+use crate::numerics::lanes::Beside;
 
 /// The entry of a contact, from which the places of the rim are counted.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,8 @@ use crate::circles::Kinematics;
 use crate::contact::Contact;
 use crate::error::{Error, SoilLaw};
 use crate::fittable::{Fittable, Step, Tolerance};
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
+use crate::numerics::lanes::Arithmetic;
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::pressure_sinkage::{Plate, PressureCurve};
 use crate::shear::{JanosiHanamoto, ShearLaw};
@@ -199,6 +200,13 @@ impl Rolling<'_> {
     #[inline(always)]
     pub(crate) fn mobilisation<F: Number>(&self, displacement: F) -> F {
         self.shear.mobilisation(displacement * self.strength.per_shear_scale)
+    }
+
+    /// dE/dθ1 (1/rad) where E is `share` at a shear displacement j (m) that changes at `rate` = dj/dθ1 (m/rad).
+    #[inline(always)]
+    pub(crate) fn mobilisation_rate<F: Number>(&self, displacement: F, share: F, rate: F) -> F {
+        let per_shear_scale = self.strength.per_shear_scale;
+        self.shear.steepness(Arithmetic::abs(displacement) * per_shear_scale, share) * rate * per_shear_scale
     }
 
     /// Reciprocal of the displacement by which the shear law scales across the wheel (1/m).

@@ -66,7 +66,7 @@ impl Soil {
         Self::GRANULAR_STIFFNESS,
     ];
 
-    /// Its strength in a fit.
+    /// Its strength in a fit, and its stiffness by the resistive force method.
     pub const FITTABLE: &'static [Fittable] = &[
         Fittable {
             parameter: Self::COHESION,
@@ -83,6 +83,15 @@ impl Soil {
             typical: 0.5,
             tolerance: Tolerance::Fixed(0.2),
             step: Step::ONE,
+        },
+        // Grains of 1 to 3 g/cm³ under 0.1 to 2 times the Earth's gravity; the usual values are those of sands on Earth and the Moon.
+        Fittable {
+            parameter: Self::GRANULAR_STIFFNESS,
+            bounds: [1e2, 1e9],
+            usual: [1e5, 1e7],
+            typical: 1.5e6,
+            tolerance: Tolerance::Size,
+            step: Step::Logarithmic(&Step::OfStart(1.0)),
         },
     ];
 }

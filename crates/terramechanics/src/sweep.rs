@@ -1,7 +1,8 @@
 //! How do the forces change with slip? The same operation at many slips, row by row.
 //!
-//! A row is the operating point itself, so what follows from a point follows from a row by the same formula. Where the sinkage is
-//! solved for, the search of a row starts from the rows before it, and ends within its tolerance of where it would end alone.
+//! A row is the operating point itself, so what follows from a point follows from a row by the same formula. By a closed form it
+//! differs from the point alone by rounding, less than 1e-12 of it (`abreast/`). Where the sinkage is solved for, the search of a row
+//! starts from the rows before it, and ends within its tolerance of where it would end alone.
 
 use crate::abreast::{ABREAST, Abreast, Plan};
 use crate::error::Error;

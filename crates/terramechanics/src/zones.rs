@@ -18,6 +18,7 @@
 
 use crate::circles::Kinematics;
 use crate::numerics::circular::{ArcMeans, HalfArc};
+use crate::numerics::elementary::Number;
 use crate::rim::RimPoint;
 use crate::rolling::Rolling;
 
@@ -45,8 +46,8 @@ impl Zones {
     }
 
     /// Half of the arc (rad) of a place behind the entry of the circle of the displacement.
-    #[inline]
-    fn half_arc(&self, point: &RimPoint) -> f64 {
+    #[inline(always)]
+    fn half_arc<F: Number>(&self, point: &RimPoint<F>) -> F {
         point.half_arc + self.half_lead
     }
 
@@ -60,24 +61,23 @@ impl Zones {
     }
 
     /// E (–) ahead of θ0.
-    #[inline]
-    pub(crate) fn mobilisation_ahead(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+    #[inline(always)]
+    pub(crate) fn mobilisation_ahead<F: Number>(&self, rolling: &Rolling<'_>, point: &RimPoint<F>) -> F {
         if rolling.slip.is_locked() {
-            rolling.shear().residual()
+            point.half_arc.like(rolling.shear().residual())
         } else {
             rolling.mobilisation(self.displacement_ahead(rolling, point))
         }
     }
 
     /// E (–) behind θ0; 0 at it.
-    #[inline]
-    pub(crate) fn mobilisation_behind(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
-        if !rolling.slip.is_locked() {
-            rolling.mobilisation(self.displacement_behind(rolling, point))
-        } else if self.half_arc(point) > self.half_front {
-            -rolling.shear().residual()
+    #[inline(always)]
+    pub(crate) fn mobilisation_behind<F: Number>(&self, rolling: &Rolling<'_>, point: &RimPoint<F>) -> F {
+        if rolling.slip.is_locked() {
+            let short = -self.half_arc(point) + self.half_front; // of θ0, by half of the arc
+            short.if_not_negative(short.like(0.0), short.like(-rolling.shear().residual()))
         } else {
-            0.0
+            rolling.mobilisation(self.displacement_behind(rolling, point))
         }
     }
 
@@ -104,28 +104,55 @@ impl Zones {
     ///
     /// With the half arcs x to the entry and y to θ0, the height of sin θ above its chord is
     /// (x + y)⁻¹ {2 sin θ [x sin² y + y sin² x] + cos θ [y (2x − sin 2x) − x (2y − sin 2y)]}: nothing large cancels.
-    #[inline]
-    fn displacement_ahead(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+    #[inline(always)]
+    pub(crate) fn displacement_ahead<F: Number>(&self, rolling: &Rolling<'_>, point: &RimPoint<F>) -> F {
         let half_arc = self.half_arc(point);
-        let (x, rest) = (HalfArc::of(half_arc), self.half_front - half_arc);
-        let y = HalfArc::of(rest);
+        let rest = -half_arc + self.half_front;
+        let (x, y) = (HalfArc::of(half_arc), HalfArc::of(rest));
         // 2x − sin 2x = 2 (x − sin x) + 2 sin x (1 − cos x).
-        let double_excess = |arc: &HalfArc| 2.0 * (arc.excess + arc.sin * (arc.sin * arc.sin / (1.0 + arc.cos)));
-        let rise = 2.0 * point.sin * (half_arc * y.sin * y.sin + rest * x.sin * x.sin);
-        let tilt = point.cos * (rest * double_excess(&x) - half_arc * double_excess(&y));
-        rolling.kinematics.ratio * rolling.kinematics.radius * (rise + tilt) / self.half_front
+        let (x_excess, y_excess) = (x.excess + x.sin * x.one_minus_cos, y.excess + y.sin * y.one_minus_cos);
+        let rise = point.sin * (half_arc * y.sin * y.sin + rest * x.sin * x.sin);
+        let tilt = point.cos * (rest * x_excess - half_arc * y_excess);
+        (rise + tilt) * (2.0 * rolling.kinematics.ratio * rolling.kinematics.radius / self.half_front)
     }
 
     /// j (m) behind θ0: that of a driving wheel whose contact begins at θ0.
-    #[inline]
-    fn displacement_behind(&self, rolling: &Rolling<'_>, point: &RimPoint) -> f64 {
+    #[inline(always)]
+    pub(crate) fn displacement_behind<F: Number>(&self, rolling: &Rolling<'_>, point: &RimPoint<F>) -> F {
         let Kinematics { radius, ratio, complement, .. } = rolling.kinematics;
         let half_arc = self.half_arc(point) - self.half_front;
         let HalfArc { sin, cos, excess, .. } = HalfArc::of(half_arc);
-        let sin_middle = self.sin * cos - self.cos * sin;
-        let cos_middle = self.cos * cos + self.sin * sin;
-        let one_minus_cos_middle = sin_middle * sin_middle / (1.0 + cos_middle);
-        2.0 * radius * (complement * half_arc + ratio * (excess + sin * one_minus_cos_middle))
+        let sin_middle = cos * self.sin - sin * self.cos;
+        let cos_middle = cos * self.cos + sin * self.sin;
+        let one_minus_cos_middle = sin_middle * sin_middle / (cos_middle + 1.0);
+        (half_arc * complement + (excess + sin * one_minus_cos_middle) * ratio) * (2.0 * radius)
+    }
+
+    /// dj/dθ1 (m/rad) ahead of θ0 as a turning wheel sinks, at a place that moves at `turn` = dθ/dθ1, where the circle of the
+    /// displacement enters the soil at `entry_turn` = dθ1'/dθ1.
+    ///
+    /// The chord of sin θ has the slope S = (sin θ1' − sin θ0)/(θ1' − θ0), whose own rate is (cos θ1' − S)/(θ1' − θ0) dθ1'/dθ1.
+    #[inline(always)]
+    pub(crate) fn displacement_rate_ahead<F: Number>(
+        &self,
+        kinematics: &Kinematics,
+        point: &RimPoint<F>,
+        [turn, entry_turn]: [F; 2],
+    ) -> F {
+        let arc = 2.0 * self.half_front;
+        let HalfArc { sin: sin_arc, one_minus_cos, cos, .. } = HalfArc::of(self.half_front);
+        let (sin_arc, one_minus_cos_arc) = (2.0 * sin_arc * cos, 2.0 * one_minus_cos * (1.0 + cos));
+        let sin_entry_beyond = self.cos * sin_arc - self.sin * one_minus_cos_arc; // sin θ1' − sin θ0
+        let slope = sin_entry_beyond / arc;
+        let cos_entry = self.cos * (1.0 - one_minus_cos_arc) - self.sin * sin_arc;
+        let from_entry = (self.half_arc(point) * (2.0 / arc) - 1.0) * (cos_entry - slope) * entry_turn;
+        ((point.cos - slope) * turn + from_entry) * (kinematics.ratio * kinematics.radius)
+    }
+
+    /// The same behind θ0, which stays where it is.
+    #[inline(always)]
+    pub(crate) fn displacement_rate_behind<F: Number>(&self, kinematics: &Kinematics, point: &RimPoint<F>, turn: F) -> F {
+        (point.cos * kinematics.ratio - 1.0) * turn * kinematics.radius
     }
 
     /// Arcs (rad) over which E changes behind the entry, ahead of θ0 and behind it: the displacement by which its law scales,

@@ -322,3 +322,28 @@ fn wheels_follow_those_of_their_side() {
     assert!(wheels[0].rut_depth < wheels[2].sinkage && wheels[1].rut_depth > wheels[2].sinkage);
     assert_eq!((wheels[2].rut_depth, wheels[3].rut_depth), (0.0, 0.0));
 }
+
+/// The caller is asked before each wheel, and not again after a no: of stations whose slips follow from a torque, one slip alone of the
+/// others takes a hundred wheels each.
+#[test]
+fn a_rover_ends_as_soon_as_nobody_wants_it() {
+    let mut params = with_stations(&[0.0, 0.3, 0.6, 0.9], None, jsc_1a());
+    for station in &mut params.stations[1..] {
+        station.turning = Turning::UnderTorque(0.2);
+    }
+    params.unloading = Some(Unloading::MEASURED);
+    let rover = vehicle(params);
+    for most in [1, 50, 1000] {
+        let asked = std::cell::Cell::new(0);
+        let go_on = || {
+            asked.set(asked.get() + 1);
+            asked.get() < most
+        };
+        assert_eq!(rover.on_slope_while(0.1, 0.0, &go_on), Err(VehicleError::Stopped));
+        assert_eq!(asked.get(), most);
+        asked.set(0);
+        assert_eq!(rover.largest_slope_while(0.0, 0.6, &go_on), Err(VehicleError::Stopped));
+        assert_eq!(asked.get(), most);
+    }
+    assert_eq!(rover.largest_slope_while(0.0, 0.6, &|| true), rover.largest_slope(0.0, 0.6));
+}

@@ -5,22 +5,22 @@ use terramechanics_reading::{Assumption, FieldFault};
 use crate::warning::Tally;
 
 /// Name of the column that says how a row went.
-pub(super) const STATUS: &str = "status";
+pub(crate) const STATUS: &str = "status";
 
 /// The status of a row that has an answer.
 pub(super) const OK: &str = "ok";
 
 /// What the rows of a block gave.
 #[derive(Debug, Default)]
-pub(super) struct Answers {
+pub(crate) struct Answers {
     /// By column of the answer, then by row; NaN where there is no number.
-    pub(super) numbers: Vec<Vec<f64>>,
+    pub(crate) numbers: Vec<Vec<f64>>,
     /// Of each row, in words what was wrong with it, if something was.
-    pub(super) faults: Vec<Option<Box<str>>>,
-    pub(super) tally: Tally,
-    pub(super) assumed: Vec<Assumption>,
+    pub(crate) faults: Vec<Option<Box<str>>>,
+    pub(crate) tally: Tally,
+    pub(crate) assumed: Vec<Assumption>,
     /// Whether a row made a case.
-    pub(super) has_case: bool,
+    pub(crate) has_case: bool,
     /// The faults of the first rows that have all columns, as long as none made a case.
-    pub(super) refused: Vec<Vec<FieldFault>>,
+    pub(crate) refused: Vec<Vec<FieldFault>>,
 }

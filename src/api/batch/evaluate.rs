@@ -3,25 +3,21 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use terramechanics_reading::{Assumption, FieldFault};
+use terramechanics_reading::FieldFault;
 
 use super::answers::Answers;
 use super::plan::Plan;
-use super::templates::{Templates, bits};
 use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
 use crate::request::error_fault;
 use crate::request::pull::SlipFrom;
-use crate::rows::{Block, Shape};
+use crate::rows::Block;
 use crate::stream::Job;
-use crate::varied::{RowStatus, tell_invalid};
+use crate::varied::{RowStatus, Templates, tell_invalid};
 use crate::warning::Tally;
 
 /// Rows between two readings of the clock, which takes a good part of the time of a cheap row.
 const ROWS_PER_LOOK: usize = 16;
-
-/// Values that are told as assumed.
-const MOST_ASSUMED: usize = 100;
 
 /// Refused rows that are looked at for what all of them lack.
 const MOST_REFUSED: usize = 50;
@@ -29,9 +25,7 @@ const MOST_REFUSED: usize = 50;
 /// A block under way, and what reads its rows.
 pub(super) struct Rows {
     plan: Arc<Plan>,
-    templates: Templates,
-    /// The numbers of a row.
-    values: Vec<f64>,
+    templates: Templates<ForcesCase>,
     pub(super) block: Block,
     next: usize,
     /// Whether the row before may have taken long.
@@ -42,8 +36,8 @@ pub(super) struct Rows {
 
 impl Rows {
     pub(super) fn new(plan: Arc<Plan>) -> Self {
-        let (templates, values, block, output) = (Templates::default(), Vec::new(), Block::default(), Vec::new());
-        Self { plan, templates, values, block, next: 0, is_costly: false, answers: Answers::default(), output }
+        let (templates, block, output) = (Templates::default(), Block::default(), Vec::new());
+        Self { plan, templates, block, next: 0, is_costly: false, answers: Answers::default(), output }
     }
 
     /// Makes room for another block, behind so many rows.
@@ -57,12 +51,12 @@ impl Rows {
     }
 
     fn row(&mut self, row: usize) {
-        let Self { plan, templates, values: sent, block, is_costly, answers, .. } = self;
+        let Self { plan, templates, block, is_costly, answers, .. } = self;
         let Answers { numbers, faults, tally, assumed, has_case, refused } = answers;
         tally.begin_row();
         let case = match block.fault(row) {
             Some(fault) => Err(vec![FieldFault::new("", fault)]),
-            None => case(templates, plan, block, row, sent, assumed),
+            None => templates.case(&plan.constants, &plan.columns.fields, block, row, assumed),
         };
         let Plan { values, .. } = &**plan;
         let fault = match case {
@@ -94,34 +88,8 @@ impl Rows {
     }
 }
 
-/// The case of a row: the request in which the columns have its values. What is assumed of it goes into `told`.
-fn case<'t>(
-    templates: &'t mut Templates,
-    plan: &Plan,
-    block: &Block,
-    row: usize,
-    values: &mut Vec<f64>,
-    told: &mut Vec<Assumption>,
-) -> Result<&'t ForcesCase, Vec<FieldFault>> {
-    let at = match templates.place_of(block, row) {
-        Some(at) => at,
-        None => templates.add(plan, block, row)?,
-    };
-    let Some(template) = templates.list.get_mut(at) else { return Err(Vec::new()) };
-    values.clear();
-    let Shape { present, textual } = block.shape(row);
-    values.extend(bits(present & !textual).map(|field| block.value(field, row)));
-    let (case, assumed) = template.case_and_assumed(values)?;
-    for assumption in assumed {
-        if told.len() < MOST_ASSUMED && !told.contains(assumption) {
-            told.push(assumption.clone());
-        }
-    }
-    Ok(case)
-}
-
 /// How a row went that has no answer.
-fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
+pub(crate) fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
     const MOST: usize = 5;
     let mut words = status.name().to_owned();
     for (i, FieldFault { pointer, detail, .. }) in faults.iter().take(MOST).enumerate() {

@@ -4,11 +4,11 @@ mod answers;
 mod arrow;
 mod evaluate;
 mod example;
+mod in_memory;
 mod plan;
 mod reply;
 mod request;
 mod run;
-mod templates;
 
 use axum::extract::{Request, State};
 use axum::response::Response;
@@ -18,9 +18,13 @@ use crate::extract::RowsForm;
 use crate::problem::Problem;
 use crate::state::Service;
 use crate::stream;
+pub(crate) use answers::{Answers, STATUS};
+pub(crate) use evaluate::in_words;
 pub(crate) use example::example;
+pub(crate) use in_memory::{ForcesPlan, ForcesRows};
 use request::BatchParameters;
 use run::Batch;
+pub(crate) use run::shared_faults;
 
 /// Forces for rows of their own wheel, soil and operating point
 ///
@@ -35,7 +39,8 @@ use run::Batch;
 /// makes no request, `no_solution: …` where the model has no answer, in the words of /v1/forces. What all rows lack, such as a
 /// soil, is a problem of the whole. The numbers are those of /v1/forces.
 ///
-/// Rows are answered while others still arrive, in constant memory. Behind the rows of a CSV stand comments:
+/// Rows are answered in constant memory: while others still arrive where the body is sent in chunks, and when the body has ended
+/// where its length is declared or a proxy passes it on. Behind the rows of a CSV stand comments:
 /// `#warning,<code>,<detail>` for each warning, with the rows that it holds for, counted from 0; and `#end,<rows>` as the last line
 /// of a whole answer. In NDJSON the last line is an object with `end`, `rows` and `warnings`. An answer without that line was cut;
 /// where the reason is known the last line is `#error,<detail>`, or an object with `error`.
@@ -57,5 +62,7 @@ pub(crate) async fn batch(State(service): State<Service>, request: Request) -> R
     let wanted = request::wanted(request.uri())?;
     let place = service.pool().stream_place()?;
     let limits = *service.limits();
-    stream::answer_in_blocks(Batch::new(wanted, form, answer), request.into_body(), place, &limits).await
+    let (parts, body) = request.into_parts();
+    let body = stream::ready(&parts, body, service.spool(), &limits).await?;
+    stream::answer_in_blocks(Batch::new(wanted, form, answer), body, place, &limits).await
 }

@@ -1,9 +1,10 @@
 //! The answer of a batch: a row for each of its rows, and an end that tells a whole answer from one that was cut.
 
 use super::answers::{Answers, OK, STATUS};
-use super::arrow::ArrowTable;
+use super::arrow;
 use crate::extract::RowsForm;
 use crate::quantity::Cell;
+use crate::reply::arrow::ArrowStream;
 use crate::reply::{End, RowFormat};
 use crate::rows::{Block, Columns, EchoedCell};
 
@@ -12,18 +13,21 @@ use crate::rows::{Block, Columns, EchoedCell};
 pub(super) enum Writer {
     /// With the names of all columns.
     Text(RowFormat, Vec<String>),
-    Arrow(ArrowTable),
+    Arrow(ArrowStream),
+    /// None: the numbers stay where they are, for a caller in the same process.
+    Memory,
 }
 
 impl Writer {
     /// Behind the columns of the body that are repeated stand those of `names`, and the status.
     pub(super) fn new(form: RowsForm, columns: &Columns, names: impl Iterator<Item = &'static str>) -> Self {
-        let own = names.chain([STATUS]).map(str::to_owned);
         let echoed = columns.echoed.iter();
+        let own = |names: &mut dyn Iterator<Item = &'static str>| names.chain([STATUS]).map(str::to_owned).collect::<Vec<_>>();
+        let mut names = names;
         match form {
-            RowsForm::Csv => Self::Text(RowFormat::Csv, echoed.cloned().chain(own).collect()),
-            RowsForm::Ndjson => Self::Text(RowFormat::Ndjson, echoed.map(|name| escaped(name)).chain(own).collect()),
-            RowsForm::Arrow => Self::Arrow(ArrowTable::new(columns, own)),
+            RowsForm::Csv => Self::Text(RowFormat::Csv, echoed.cloned().chain(own(&mut names)).collect()),
+            RowsForm::Ndjson => Self::Text(RowFormat::Ndjson, echoed.map(|name| escaped(name)).chain(own(&mut names)).collect()),
+            RowsForm::Arrow => Self::Arrow(arrow::stream(columns, names)),
         }
     }
 
@@ -31,7 +35,8 @@ impl Writer {
     pub(super) fn head(&self, output: &mut Vec<u8>) {
         match self {
             Self::Text(format, names) => format.head(names.iter().map(String::as_str), output),
-            Self::Arrow(table) => table.head(output),
+            Self::Arrow(stream) => stream.head(output),
+            Self::Memory => {}
         }
     }
 
@@ -39,7 +44,8 @@ impl Writer {
     pub(super) fn rows(&self, block: &Block, answers: &mut Answers, output: &mut Vec<u8>) {
         let (format, names) = match self {
             Self::Text(format, names) => (format, names),
-            Self::Arrow(table) => return table.rows(block, answers, output),
+            Self::Arrow(stream) => return arrow::rows(stream, block, answers, output),
+            Self::Memory => return,
         };
         for row in 0..block.rows() {
             let echoes = block.echoes().iter().map(|echoed| match echoed.cell(row) {
@@ -57,7 +63,8 @@ impl Writer {
     pub(super) fn end(&self, end: &End, output: &mut Vec<u8>) {
         match self {
             Self::Text(format, _) => format.end(end, output),
-            Self::Arrow(table) => table.end(end, output),
+            Self::Arrow(stream) => stream.end(end, output),
+            Self::Memory => {}
         }
     }
 
@@ -65,7 +72,7 @@ impl Writer {
     pub(super) fn broken(&self, problem: &str, output: &mut Vec<u8>) -> bool {
         match self {
             Self::Text(format, _) => format.broken(problem, output),
-            Self::Arrow(_) => return false,
+            Self::Arrow(_) | Self::Memory => return false,
         }
         true
     }

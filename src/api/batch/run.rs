@@ -70,16 +70,18 @@ impl Batch {
         }
         self.plan.clone()
     }
+}
 
-    /// The faults of the request that no row can mend, where all rows of the first block have them.
-    fn shared_faults(&self, answers: &Answers) -> Vec<FieldFault> {
-        let Some(plan) = self.plan.as_ref().filter(|_| !answers.has_case) else { return Vec::new() };
-        let pointers: Vec<String> = plan.columns.fields.iter().map(Path::pointer).collect();
-        let is_of_all = |fault: &FieldFault| fault.figures.as_ref().is_none_or(|figures| figures.maximum_from.is_none());
-        let shared = shared(&answers.refused, &pointers).into_iter().filter(|of_rows| of_rows.field.is_none());
-        // A row that cannot be read has a fault of its own, which is that of no field.
-        shared.map(|of_rows| of_rows.fault).filter(|fault| !fault.pointer.is_empty() && is_of_all(fault)).collect()
+/// The faults of the request that no row can mend, where all rows of the first block have them, whose columns are `fields`.
+pub(crate) fn shared_faults(answers: &Answers, fields: &[Path]) -> Vec<FieldFault> {
+    if answers.has_case {
+        return Vec::new();
     }
+    let pointers: Vec<String> = fields.iter().map(Path::pointer).collect();
+    let is_of_all = |fault: &FieldFault| fault.figures.as_ref().is_none_or(|figures| figures.maximum_from.is_none());
+    let shared = shared(&answers.refused, &pointers).into_iter().filter(|of_rows| of_rows.field.is_none());
+    // A row that cannot be read has a fault of its own, which is that of no field.
+    shared.map(|of_rows| of_rows.fault).filter(|fault| !fault.pointer.is_empty() && is_of_all(fault)).collect()
 }
 
 impl BlockWork for Batch {
@@ -120,7 +122,8 @@ impl BlockWork for Batch {
     fn give(&mut self, mut rows: Box<Rows>) -> Result<Bytes, Problem> {
         let mut output = Vec::new();
         if !self.has_begun {
-            let faults = self.shared_faults(&rows.answers);
+            let fields = self.plan.as_ref().map_or(&[][..], |plan| &plan.columns.fields);
+            let faults = shared_faults(&rows.answers, fields);
             if !faults.is_empty() {
                 return Err(Problem::Invalid(faults));
             }

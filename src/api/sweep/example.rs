@@ -5,13 +5,13 @@ use serde_json::json;
 use terramechanics_reading::Node;
 
 use super::GridCase;
+use super::blocks::GridBlocks;
 use super::found::Running;
-use super::stream_of_rows::Stream;
 use crate::compute::Pace;
 use crate::contract::{Example, replies_of_texts};
-use crate::reply::RowFormat;
+use crate::extract::RowsForm;
 use crate::request::checked;
-use crate::stream::{Progress, Work};
+use crate::stream::{BlockWork, Job, Taken};
 
 pub(crate) fn example() -> Example {
     let request = json!({
@@ -28,17 +28,21 @@ pub(crate) fn example() -> Example {
     let case = checked::<GridCase>(&Node::from(&request)).ok();
     let reply = case.as_ref().and_then(|case| case.reply(&Pace::at_once()).ok());
     let json = reply.and_then(|reply| serde_json::to_value(reply).ok());
-    let text = |format: RowFormat| match &case {
-        Some(GridCase::Forces(sweep)) => text_of(Stream::of(Running::of(sweep), format)),
-        Some(GridCase::Vehicle(sweep)) => text_of(Stream::of(Running::of(sweep), format)),
+    let text = |form: RowsForm| match &case {
+        Some(GridCase::Forces(sweep)) => text_of(GridBlocks::of(Running::of(sweep), form)),
+        Some(GridCase::Vehicle(sweep)) => text_of(GridBlocks::of(Running::of(sweep), form)),
         None => String::new(),
     };
-    Example { replies: replies_of_texts(json, &text(RowFormat::Csv), &text(RowFormat::Ndjson)), request: Some(request) }
+    Example { replies: replies_of_texts(json, &text(RowsForm::Csv), &text(RowsForm::Ndjson)), request: Some(request) }
 }
 
-/// All that a stream writes.
-fn text_of(mut work: impl Work) -> String {
+/// All that a sweep writes.
+fn text_of(mut work: impl BlockWork) -> String {
     let mut output = Vec::new();
-    while work.slice(&mut Bytes::new(), true, &mut output).is_ok_and(|progress| progress != Progress::Complete) {}
+    while let Ok(Taken::Block(mut block)) = work.take(&mut Bytes::new(), true) {
+        while !block.slice() {}
+        output.extend(work.give(block).unwrap_or_default());
+    }
+    output.extend(work.end());
     String::from_utf8(output).unwrap_or_default()
 }

@@ -40,8 +40,8 @@ use run::Run;
 /// of the columns, is separated by commas, semicolons or tabs, and may have decimal commas, a byte order mark, carriage returns,
 /// comments after `#` and a row of units below the header. In NDJSON the words NaN, Infinity and -Infinity, which Python
 /// writes, are missing values. Columns with other names are refused unless `extra_columns=ignore` leaves them out. The answer
-/// comes in the form of the body unless the header Accept prefers another. In CSV and NDJSON it comes while the body is still
-/// being sent, in constant memory, however long that is.
+/// comes in the form of the body unless the header Accept prefers another. CSV and NDJSON are answered in constant memory: while
+/// they arrive where the body is sent in chunks, and when the body has ended where its length is declared or a proxy passes it on.
 ///
 /// Behind the rows of a CSV stand comments: `#warning,<code>,<detail>` for each warning, where the detail is the rest of the line
 /// and may have commas and quotes; `#event,<code>,<row>,<from_s>,<to_s>` for each event, with the index of the first of its
@@ -83,5 +83,7 @@ async fn asked(service: &Service, request: Request) -> Result<Asked, Problem> {
     }
     let Accepted { case: settings, assumed } = checked_settings(&read_query(request.uri())?).map_err(Problem::Invalid)?;
     let place = service.pool().stream_place()?;
-    Ok(Asked { run: Run::over_stream(settings, form, wanted).assuming(assumed), body: request.into_body(), place, limits })
+    let (parts, body) = request.into_parts();
+    let body = stream::ready(&parts, body, service.spool(), &limits).await?;
+    Ok(Asked { run: Run::over_stream(settings, form, wanted).assuming(assumed), body, place, limits })
 }

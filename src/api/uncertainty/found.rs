@@ -140,15 +140,16 @@ fn probability(condition: &Condition, answers: &[Option<f64>]) -> Probability {
 /// The distributions of which something was cut off.
 fn truncated<R>(case: &Uncertainty<R>) -> impl Iterator<Item = Warning> {
     case.fields.iter().filter_map(|field| {
-        let (Source::One(marginal), Origin::Request(place)) = (&case.design.inputs().sources()[field.source], &field.origin)
-        else {
-            return None;
+        let Source::One(marginal) = &case.design.inputs().sources()[field.source] else { return None };
+        let pointer = match field.origin {
+            Origin::Request(place) => format!("/inputs/{place}"),
+            Origin::Posterior(estimate) => format!("/posterior/estimates/{estimate}"),
+            Origin::Catalogue { .. } => return None,
         };
         let share = marginal.share_cut();
         // A tail that no sample would reach is not worth a word.
         let is_seen = share * case.design.samples() as f64 > 0.5;
         let bounds = marginal.bounds();
-        let pointer = format!("/inputs/{place}");
         is_seen.then(|| Finding::TruncatedDistribution { pointer, field: Path::pointer(&field.path), share, bounds }.into())
     })
 }

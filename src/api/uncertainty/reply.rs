@@ -67,7 +67,7 @@ struct InputReply {
     values: Option<Vec<f64>>,
     /// Share of the distribution outside the bounds of the field, which is cut off.
     share_cut: f64,
-    /// Where it comes from: `request` or `catalogue`.
+    /// Where it comes from: `request`, `posterior` or `catalogue`.
     from: &'static str,
     /// Why these values were taken from the catalogue; absent for what the request has.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -191,7 +191,7 @@ impl UncertaintyReply {
 impl InputReply {
     fn of(field: &UncertainField, source: &Source) -> Self {
         let (reason, soils) = match &field.origin {
-            Origin::Request(_) => (None, Vec::new()),
+            Origin::Request(_) | Origin::Posterior(_) => (None, Vec::new()),
             Origin::Catalogue { reason, soils } => (Some(reason.clone()), soils.clone()),
         };
         let is_of_catalogue = reason.is_some();
@@ -214,7 +214,11 @@ impl InputReply {
             standard_deviation,
             values: values.filter(|_| is_of_catalogue).map(<[f64]>::to_vec),
             share_cut,
-            from: if is_of_catalogue { "catalogue" } else { "request" },
+            from: match field.origin {
+                Origin::Request(_) => "request",
+                Origin::Posterior(_) => "posterior",
+                Origin::Catalogue { .. } => "catalogue",
+            },
             reason,
             soils,
         }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::reply::ValidationSet;
-use crate::validation::{FitScore, HeldOut, Part, Pooled, pooled_error};
+use crate::validation::{self, FitScore, HeldOut, Part, Pooled, pooled_error};
 
 /// Parameters fitted to the pulls of one part of the measurements and scored on another, by the quadrature.
 #[derive(Debug, Serialize, ToSchema)]
@@ -65,7 +65,8 @@ struct PooledResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     program: Option<&'static str>,
-    /// Name of the series; absent for another program.
+    /// Name of the series, or of a further way to run the sets: `known_load`, with the sinkage measured or from the standstill by
+    /// (18) beside the load; or by another convention, the same for all sets. Absent for another program.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "quadrature")]
     series: Option<&'static str>,
@@ -77,7 +78,7 @@ struct PooledResult {
 
 /// The errors over the pooled points, from those of `sets`.
 pub(super) fn pooled(sets: &[ValidationSet]) -> PooledReply {
-    let Pooled { sets: ids, series, published } = Pooled::kept();
+    let Pooled { sets: ids, series, variants, published } = Pooled::kept();
     let of_ids: Vec<Option<&ValidationSet>> = ids.iter().map(|id| sets.iter().find(|set| set.id == *id)).collect();
     let points: Vec<usize> = of_ids.iter().map(|set| set.map_or(0, |set| set.points)).collect();
     let over_all = |by_set: &[Option<f64>]| pooled_error(by_set.iter().copied().zip(points.iter().copied()));
@@ -91,9 +92,13 @@ pub(super) fn pooled(sets: &[ValidationSet]) -> PooledReply {
         let by_set = of_ids.iter().map(|set| set.and_then(|set| set.drawbar_error(name))).collect();
         result(None, Some(name.as_str()), by_set)
     });
+    let varied = variants.iter().map(|variant| {
+        let by_set = ids.iter().map(|id| validation::record(id).and_then(|record| variant.error(record))).collect();
+        result(None, Some(variant.series.as_str()), by_set)
+    });
     let others = published.iter().map(|of| {
         let by_set = of.drawbar_rmse_over_load.iter().copied().map(Some).collect();
         result(Some(of.program.as_str()), None, by_set)
     });
-    PooledReply { sets: ids, points: points.iter().sum(), results: ours.chain(others).collect() }
+    PooledReply { sets: ids, points: points.iter().sum(), results: ours.chain(varied).chain(others).collect() }
 }

@@ -1,6 +1,6 @@
 //! A rover on its slopes.
 
-use terramechanics::{Caution, LargestSlope, OnSlope, SlopeLimit, Vehicle, VehicleError};
+use terramechanics::{Caution, Circles, LargestSlope, OnSlope, SlopeLimit, Vehicle, VehicleError};
 
 use super::refusal;
 use super::request::{Slopes, VehicleCase, word};
@@ -25,6 +25,7 @@ pub(crate) struct FoundVehicle {
     pub(crate) largest: Option<f64>,
     pub(crate) gravity: f64,
     pub(crate) method: &'static str,
+    pub(crate) circles: Circles,
     pub(crate) drive: &'static str,
     pub(crate) has_statics: bool,
     pub(crate) velocity: Option<f64>,
@@ -42,8 +43,8 @@ pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, P
     let is_one = matches!(slopes, Slopes::One(_));
     let mut found = Vec::with_capacity(slopes.len());
     for &slope in slopes.as_slice() {
+        let on = vehicle.on_slope_while(slope, *hitch_pull, &|| pace.goes_on());
         pace.look()?;
-        let on = vehicle.on_slope(slope, *hitch_pull);
         if let (true, Err(error)) = (is_one, &on)
             && !matches!(error, VehicleError::NotClimbed { .. })
         {
@@ -52,8 +53,8 @@ pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, P
         let climbs = on.as_ref().is_ok_and(|on| on.driven.slip.ratio() <= *slip_limit);
         found.push(FoundSlope { slope, needed_pull: vehicle.needed_pull(slope, *hitch_pull), climbs, on });
     }
+    let largest = vehicle.largest_slope_while(*hitch_pull, *slip_limit, &|| pace.goes_on());
     pace.look()?;
-    let largest = vehicle.largest_slope(*hitch_pull, *slip_limit);
     let mut warnings = of_slopes(&found, *slip_limit);
     warnings.extend(of_largest(&largest));
     warnings.extend(cautions(vehicle, &found));
@@ -65,6 +66,7 @@ pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, P
         largest: largest.ok().map(|largest| largest.slope),
         gravity: params.gravity,
         method: method_name(&params.model.method),
+        circles: params.stations.first().map_or(Circles::SHEARING, |station| station.system.contact.circles()),
         drive: word(params.drive),
         has_statics: vehicle.has_statics(),
         velocity: *velocity,

@@ -22,7 +22,7 @@ fn pointer(error: &VehicleError) -> &'static str {
         VehicleError::NoWheels | VehicleError::NothingTogether => "/stations",
         VehicleError::RutAtEqualTorque => "/drive",
         VehicleError::HitchWithoutStatics => "/hitch_height_m",
-        VehicleError::TorqueNotHeld { .. } => "",
+        VehicleError::TorqueNotHeld { .. } | VehicleError::Stopped => "",
         VehicleError::Invalid(_) => "",
     }
 }

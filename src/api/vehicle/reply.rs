@@ -9,6 +9,7 @@ use utoipa::ToSchema;
 use super::found::{FoundSlope, FoundVehicle};
 use crate::quantity::{About, Columns, Field, Shape, Values};
 use crate::reply::{Reply, or_null};
+use crate::request::circles::words;
 use crate::warning::Warning;
 
 /// A rover on one slope, with each of its wheels, or on several, in columns.
@@ -30,6 +31,10 @@ struct Summary {
     gravity_m_s2: f64,
     /// The method by which the forces were found.
     method: &'static str,
+    /// The circle on which the shear displacement was counted.
+    shear_displacement_radius: &'static str,
+    /// The circle on which the slip was counted.
+    slip_radius: &'static str,
     /// What the wheels that turn together have in common: `one_slip` or `equal_torque`.
     drive: &'static str,
     /// Where the loads come from: `statics` of the centre of mass, or `equal`.
@@ -211,10 +216,13 @@ impl From<FoundVehicle> for VehicleReply {
         let rows: Vec<_> = found.slopes.iter().map(|slope| row(slope, found.velocity)).collect();
         let column = |i: usize| Values::Numbers(rows.iter().map(|row| row[i]).collect());
         let columns = Columns::new(COLUMNS.iter().enumerate().map(|(i, about)| (about, column(i))).collect());
+        let (shear_displacement_radius, slip_radius) = words(found.circles);
         let summary = Summary {
             largest_slope_rad: found.largest,
             gravity_m_s2: found.gravity,
             method: found.method,
+            shear_displacement_radius,
+            slip_radius,
             drive: found.drive,
             loads_from: if found.has_statics { "statics" } else { "equal" },
         };

@@ -30,6 +30,9 @@ impl Varied for VehicleCase {
         rover_columns().collect()
     }
 
+    /// A rover takes as long as a hundred wheels and more.
+    const ROWS_PER_BLOCK: usize = 16;
+
     fn refusal(&self) -> Option<FieldFault> {
         let is_one = matches!(self.slopes, Slopes::One(_));
         (!is_one).then(|| FieldFault::new("/slope_rad", "must be one slope here; an axis over `/slope_rad` has several"))
@@ -40,30 +43,52 @@ impl Varied for VehicleCase {
     }
 
     fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
+        let found = self.answer(true, cells, tally);
+        found.map_or_else(|error| status(&error), |()| RowStatus::Ok)
+    }
+}
+
+/// How a row went that was refused.
+fn status(error: &VehicleError) -> RowStatus {
+    if matches!(error, VehicleError::NotClimbed { .. }) { RowStatus::NotClimbed } else { RowStatus::NoSolution }
+}
+
+impl VehicleCase {
+    /// Adds the numbers of the row to `cells`, NaN where there is none; what is to be said of them goes into `tally`. The largest
+    /// slope, which takes most of the time, is found where it is wanted, and else NaN.
+    ///
+    /// # Errors
+    /// What the model refuses, which is in the tally then.
+    pub(crate) fn answer(&self, with_largest: bool, cells: &mut Vec<f64>, tally: &mut Tally) -> Result<(), VehicleError> {
         let Self { vehicle, slopes, hitch_pull, slip_limit, velocity, .. } = self;
         let slope = slopes.as_slice().first().copied().unwrap_or(f64::NAN);
         let on = vehicle.on_slope(slope, *hitch_pull);
         let climbs = on.as_ref().is_ok_and(|on| on.driven.slip.ratio() <= *slip_limit);
         let found = FoundSlope { slope, needed_pull: vehicle.needed_pull(slope, *hitch_pull), climbs, on };
         cells.extend(row(&found, *velocity));
-        let largest = vehicle.largest_slope(*hitch_pull, *slip_limit);
-        cells.push(largest.as_ref().map_or(f64::NAN, |largest| largest.slope));
+        let largest = with_largest.then(|| vehicle.largest_slope(*hitch_pull, *slip_limit).ok()).flatten();
+        cells.push(largest.map_or(f64::NAN, |largest| largest.slope));
         for station in &vehicle.params().stations {
             let (wheel, soil) = (&station.system.wheel, station.system.soil.params());
             catalogue::outside(wheel, soil).for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
         }
-        match &found.on {
+        match found.on {
             Ok(on) => {
                 if !climbs {
                     tally.finding(Finding::SlipBeyondLimit { slip: on.driven.slip.ratio(), limit: *slip_limit });
                 }
                 vehicle.cautions(&on.driven).for_each(|(_, caution)| tally.caution(caution));
-                RowStatus::Ok
+                Ok(())
             }
             Err(error) => {
-                tally.finding(refusal::finding(error));
-                if matches!(error, VehicleError::NotClimbed { .. }) { RowStatus::NotClimbed } else { RowStatus::NoSolution }
+                tally.finding(refusal::finding(&error));
+                Err(error)
             }
         }
+    }
+
+    /// How a row went that was refused, and the fault of a request with its numbers.
+    pub(crate) fn refused(&self, error: &VehicleError) -> (RowStatus, FieldFault) {
+        (status(error), refusal::fault(error, &self.have_own_soil))
     }
 }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::table;
-use crate::asking::{get, post};
+use crate::asking::{get, post, with};
 
 const TEXT: &str = include_str!("../../../docs/validation.md");
 
@@ -56,6 +56,61 @@ fn pooled(errors: &[f64], points: &[f64]) -> f64 {
     (squares / points.iter().sum::<f64>()).sqrt()
 }
 
+/// Where a known sinkage comes from.
+#[derive(Debug, Clone, Copy)]
+enum Known {
+    Measured,
+    FromStandstill,
+}
+
+/// The further ways to run the sets: the name of the series, that of the table, the fields and the sinkage of a request.
+const VARIANTS: [(&str, &str, &str, Option<Known>); 7] = [
+    ("linearised_known_load", "linearised, load and sinkage known", r#"{"method": "linearised"}"#, Some(Known::Measured)),
+    (
+        "linearised_known_load_from_standstill",
+        "linearised, load known, sinkage by (18)",
+        r#"{"method": "linearised"}"#,
+        Some(Known::FromStandstill),
+    ),
+    ("quadrature_known_load", "quadrature, load and sinkage known", "{}", Some(Known::Measured)),
+    ("quadrature_slip_on_rim", "quadrature, slip on the rim throughout", r#"{"slip_radius": "rim"}"#, None),
+    (
+        "quadrature_slip_on_shearing_circle",
+        "quadrature, slip on the shearing circle throughout",
+        r#"{"slip_radius": "shearing"}"#,
+        None,
+    ),
+    ("quadrature_displacement_on_rim", "quadrature, displacement on the rim", r#"{"shear_displacement_radius": "rim"}"#, None),
+    ("quadrature_peak_at_half_sinkage", "quadrature, peak at half the sinkage", r#"{"contact": {"rule": "half_sinkage"}}"#, None),
+];
+
+/// The error of the pull of a set, asked point by point.
+fn varied(id: &str, fields: &Value, sinkage: Option<Known>) -> f64 {
+    let set = get(&format!("/v1/validation/{id}")).ok();
+    let column = |pointer: &str| -> Vec<f64> {
+        set.pointer(pointer).and_then(Value::as_array).expect("a column").iter().map(number).collect()
+    };
+    let (slips, loads) = (column("/columns/slip"), column("/columns/normal_load_n"));
+    let (sinkages, pulls) = (column("/columns/measured/sinkage_m"), column("/columns/measured/drawbar_coefficient"));
+    let squares = (0..slips.len()).map(|row| {
+        let mut body = json!({
+            "wheel": set["wheel"], "soil": set["soil"], "slip_radius": set["slip_radius"],
+            "slip": slips[row], "normal_load_n": loads[row]
+        });
+        match sinkage {
+            Some(Known::Measured) => body["sinkage_m"] = sinkages[row].into(),
+            // Eq. (18) leads from the first point to the standstill.
+            Some(Known::FromStandstill) => {
+                body["static_sinkage_m"] = (sinkages[0] * (1.0 - 0.5 * slips[0]) / (1.0 + slips[0])).into();
+            }
+            None => {}
+        }
+        let pull = number(&post("/v1/forces", &with(&body, fields.clone())).ok()["longitudinal_force_n"]);
+        (pull / loads[row] - pulls[row]).powi(2)
+    });
+    (squares.sum::<f64>() / slips.len() as f64).sqrt()
+}
+
 #[test]
 fn the_errors_beside_those_of_others_are_those_of_the_service() {
     /// As the two programs publish them.
@@ -88,6 +143,18 @@ fn the_errors_beside_those_of_others_are_those_of_the_service() {
         .iter()
         .map(|series| row((&format!("this service, {series}"), &ours(series), ("series", series))))
         .collect();
+    rows.extend(VARIANTS.iter().map(|(series, named, fields, sinkage)| {
+        let fields: Value = serde_json::from_str(fields).expect("JSON");
+        let errors = SHARED.map(|id| varied(id, &fields, *sinkage));
+        let of_series = results.iter().find(|result| result["series"] == *series).expect("a result");
+        for (here, there) in errors.iter().zip(of_series["by_set"].as_array().expect("errors")) {
+            assert_close(*here, there, series);
+        }
+        let over_all = pooled(&errors, &points);
+        assert_close(over_all, &of_series["drawbar_rmse_over_load"], series);
+        let all = errors.iter().copied().chain([over_all]);
+        [format!("this service, {named}")].into_iter().chain(all.map(|error| format!("{error:.3}"))).collect()
+    }));
     rows.extend(OTHERS.iter().map(|(name, errors)| row((name, errors, ("program", name)))));
     assert_eq!(results.len(), rows.len());
     assert_table("## Beside other programs", &rows);

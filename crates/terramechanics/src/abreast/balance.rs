@@ -7,8 +7,7 @@ use super::{Found, Setting, Shared};
 use crate::approach::{LINEAR, LONGEST};
 use crate::contact::Angles;
 use crate::forces::{ClosedForces, Components};
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::pressure_sinkage::pressure;
 
 /// Most passes.

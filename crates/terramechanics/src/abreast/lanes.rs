@@ -4,7 +4,9 @@ use super::{Found, Plan, Setting, Shared, Sought};
 use crate::circles::Rings;
 use crate::contact::Angles;
 use crate::forces::{ClosedForces, Components, Leverage};
+use crate::numerics::elementary::Number;
 use crate::numerics::lanes::LANES;
+use crate::numerics::level::level;
 use crate::operating_point::OperatingPoint;
 use crate::slip::Slip;
 use fearless_simd::prelude::*;
@@ -67,6 +69,26 @@ impl Group {
     }
 }
 
+/// What was found in one group of lanes.
+#[derive(Clone, Copy)]
+struct FoundGroup {
+    found: Found<Lanes>,
+    /// Greater than 0 where the forces are finite and the peak lies inside the contact.
+    sound: Lanes,
+}
+
+impl<F: Number> Found<F> {
+    /// Greater than 0 where the forces are finite and the peak lies inside the contact.
+    #[inline(always)]
+    fn sound(&self) -> F {
+        let Angles { entry, peak, exit } = self.angles;
+        let Components { traction, resistance, normal_support, shear_support } = self.forces.components;
+        let sum = (traction.abs() + resistance.abs()) + (normal_support.abs() + shear_support.abs()) + self.forces.torque.abs();
+        let front = (exit - peak).if_not_negative(-entry, entry - peak);
+        front + (sum + exit) * 0.0 // not a number where one of them is not finite
+    }
+}
+
 impl Found<Lanes> {
     #[inline(always)]
     fn of<L: Simd>(found: Found<f64x8<L>>) -> Self {
@@ -115,13 +137,13 @@ impl Found<Lanes> {
 pub(crate) struct Abreast<'a> {
     plan: Plan<'a>,
     groups: [Group; GROUPS],
-    found: [Option<Found<Lanes>>; GROUPS],
+    found: [Option<FoundGroup>; GROUPS],
     level: Level,
 }
 
 impl<'a> Abreast<'a> {
     pub(crate) fn of(plan: Plan<'a>) -> Self {
-        Self { plan, groups: [Group::NONE; GROUPS], found: [None; GROUPS], level: Level::new() }
+        Self { plan, groups: [Group::NONE; GROUPS], found: [None; GROUPS], level: level() }
     }
 
     /// The points at up to [`ABREAST`] `slips`, each handed to `take` with its place; those that are not found here are none. A balance
@@ -148,15 +170,22 @@ impl<'a> Abreast<'a> {
         }
         for (i, &slip) in slips.iter().enumerate() {
             let (group, lane) = (i / LANES, i % LANES);
-            let found = self.found[group].as_ref().filter(|_| is_set[i]);
-            take(i, found.and_then(|found| self.plan.point(slip, self.groups[group].exponent[lane], &found.lane(lane))));
+            let exponent = self.groups[group].exponent[lane];
+            let point = match &self.found[group] {
+                Some(FoundGroup { found, sound }) if is_set[i] && sound[lane] > 0.0 => {
+                    let found = found.lane(lane);
+                    if self.plan.is_met(exponent, &found) { Some(self.plan.point(slip, exponent, &found)) } else { None }
+                }
+                _ => None,
+            };
+            take(i, point);
         }
     }
 }
 
 impl Shared<'_> {
     #[inline(always)]
-    fn find_groups<L: Simd>(&self, simd: L, plan: &Plan<'_>, groups: &[Group], found: &mut [Option<Found<Lanes>>]) {
+    fn find_groups<L: Simd>(&self, simd: L, plan: &Plan<'_>, groups: &[Group], found: &mut [Option<FoundGroup>]) {
         if self.sought == Sought::Balance {
             for (group, found) in groups.iter().zip(found) {
                 *found = in_memory(self.balance(&group.settings(simd, plan.fixed())));
@@ -179,9 +208,9 @@ impl Shared<'_> {
 
 #[inline(always)]
 #[expect(clippy::manual_map, reason = "what maps an option is not compiled for the lanes")]
-fn in_memory<L: Simd>(found: Option<Found<f64x8<L>>>) -> Option<Found<Lanes>> {
+fn in_memory<L: Simd>(found: Option<Found<f64x8<L>>>) -> Option<FoundGroup> {
     match found {
-        Some(found) => Some(Found::of(found)),
+        Some(found) => Some(FoundGroup { sound: found.sound().into(), found: Found::of(found) }),
         None => None,
     }
 }

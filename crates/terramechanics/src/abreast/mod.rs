@@ -1,7 +1,8 @@
 //! Operating points by a closed form of the forces: one alone, or eight side by side.
 //!
-//! Every formula here and in what it calls is written once, over [`Number`]. A point alone gives the same bits as a point among others,
-//! so that points which belong together may be found together. What has no place in it (a locked wheel, two zones, a value that is
+//! Every formula here and in what it calls is written once, over [`Number`], so that points which belong together may be
+//! found together. A point among others differs from the same point alone by the rounding of its exponentials, logarithms and
+//! arcsines: by less than 1e-12 of it. What has no place in it (a locked wheel, two zones, a value that is
 //! refused) is left to the way of one point alone, see [`Operation`](crate::Operation).
 
 mod balance;
@@ -17,7 +18,7 @@ use crate::displacement::{Lead, Way};
 use crate::forces::outline::Outline;
 use crate::forces::{Changing, ClosedForces, ClosedForm, Frame, Leverage};
 use crate::known_load::LEAST_SUPPORT;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::pressure_sinkage::pressure;
 
 /// What points share that are found together.
@@ -106,15 +107,6 @@ impl Shared<'_> {
             (pressure(modulus, exponent, form.depth), modulus)
         };
         Found { sinkage, angles, forces: form.forces(normal), modulus, left: load.like(0.0) }
-    }
-
-    /// What is sought at one setting; not a number, or out of order, where there is no such thing.
-    #[inline(never)]
-    fn find_alone(&self, setting: &Setting) -> Option<Found> {
-        match self.sought {
-            Sought::Balance => self.balance(setting),
-            Sought::Forces | Sought::ForcesUnderLoad => Some(self.forces(setting, &self.frame(setting, setting.sinkage)?)),
-        }
     }
 }
 

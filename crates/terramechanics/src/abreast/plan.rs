@@ -5,7 +5,7 @@ use crate::braking::Braking;
 use crate::circles::{Kinematics, Rings};
 use crate::contact::{Contact, ExitRule};
 use crate::forces::{Changing, ForceModel, Lambda, Method};
-use crate::load::{CarriedLoad, bekker_estimate};
+use crate::load::{bekker_estimate, is_met};
 use crate::operating_point::{KnownSinkage, OperatingPoint, Sinkage};
 use crate::pressure_sinkage::{Plate, PressureCurve, PressureSinkage};
 use crate::rolling::WheelOnSoil;
@@ -16,7 +16,7 @@ use crate::strength::Strength;
 pub(crate) struct Plan<'a> {
     pub(super) shared: Shared<'a>,
     system: &'a WheelOnSoil,
-    sinkage: Sinkage,
+    sinkage: &'a Sinkage,
     law: Option<&'a PressureSinkage>,
     plate: Plate,
     /// The numbers that do not change with slip.
@@ -28,7 +28,7 @@ pub(crate) struct Plan<'a> {
 impl<'a> Plan<'a> {
     /// None for a method that is no closed form, and for what a point alone refuses.
     #[inline(always)]
-    pub(crate) fn of(system: &'a WheelOnSoil, model: &'a ForceModel, sinkage: &Sinkage) -> Option<Self> {
+    pub(crate) fn of(system: &'a WheelOnSoil, model: &'a ForceModel, sinkage: &'a Sinkage) -> Option<Self> {
         if !takes(&model.method) {
             return None;
         }
@@ -52,38 +52,57 @@ impl<'a> Plan<'a> {
         let [slip, modulus, exponent] = [f64::NAN; 3];
         let fixed = Setting { radius, rings, leverage, slip, sinkage: f64::NAN, modulus, exponent, load };
         let shared = Shared { by, sought, lugged: rings.offset != 0.0 };
-        let mut plan = Self { shared, system, sinkage: *sinkage, law, plate: system.plate(), fixed, fixed_curve: None };
-        if law.is_none_or(|law| law.exponent().is_fixed()) {
-            plan.fixed_curve = plan.curve(Slip::ROLLING);
-        }
-        Some(plan)
+        let plate = system.plate();
+        let is_fixed = match law {
+            Some(law) => law.exponent().is_fixed(),
+            None => true,
+        };
+        let fixed_curve = if is_fixed { curve_of(law, &plate, sought, Slip::ROLLING) } else { None };
+        Some(Self { shared, system, sinkage, law, plate, fixed, fixed_curve })
     }
 
     /// The numbers at `slip`, where a balance is perhaps `near` a sinkage (m); none for what is left to a point alone.
     #[inline(always)]
     pub(super) fn setting(&self, slip: Slip, near: Option<f64>) -> Option<Setting> {
-        if slip.is_locked() || self.has_two_zones(slip) {
+        if self.shared.sought == Sought::Balance { self.guess(slip, near) } else { self.known(slip) }
+    }
+
+    /// The same where a balance is sought.
+    #[inline(always)]
+    fn guess(&self, slip: Slip, near: Option<f64>) -> Option<Setting> {
+        if Kinematics::at(&self.fixed.rings, slip.ratio()).skid > 0.0 {
             return None;
         }
-        let curve = match self.fixed_curve {
-            Some(curve) => curve,
-            None => self.curve(slip)?,
+        let curve = self.curve(slip)?;
+        let sinkage = match near {
+            Some(near) => near,
+            None => bekker_estimate(&self.system.wheel, &curve, self.fixed.load),
         };
-        let sinkage = match self.sinkage {
+        self.at(slip, sinkage.min(self.fixed.radius))
+    }
+
+    /// The same where the sinkage is known.
+    #[inline(always)]
+    fn known(&self, slip: Slip) -> Option<Setting> {
+        let sinkage = match *self.sinkage {
             Sinkage::Given(sinkage) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(sinkage), .. } => sinkage,
             Sinkage::FromStatic { static_sinkage, law }
             | Sinkage::UnderLoad { sinkage: KnownSinkage::FromStatic { static_sinkage, law }, .. } => {
                 law.sinkage(static_sinkage, slip)
             }
-            Sinkage::CarryingLoad(load) => {
-                if Kinematics::at(&self.fixed.rings, slip.ratio()).skid > 0.0 {
-                    return None;
-                }
-                near.unwrap_or_else(|| bekker_estimate(&self.system.wheel, &curve, load)).min(self.fixed.radius)
-            }
+            Sinkage::CarryingLoad(_) => return None,
         };
+        self.at(slip, sinkage)
+    }
+
+    /// The numbers at `slip` and a sinkage (m).
+    #[inline(always)]
+    fn at(&self, slip: Slip, sinkage: f64) -> Option<Setting> {
+        if slip.is_locked() || self.has_two_zones(slip) {
+            return None;
+        }
         let inside = sinkage > 0.0 && sinkage <= self.fixed.radius;
-        let PressureCurve { modulus, exponent } = curve;
+        let PressureCurve { modulus, exponent } = self.curve(slip)?;
         inside.then_some(Setting { slip: slip.ratio(), sinkage, modulus, exponent, ..self.fixed })
     }
 
@@ -94,7 +113,7 @@ impl<'a> Plan<'a> {
 
     /// Whether the contact is the same at any slip.
     pub(super) fn has_one_contact(&self) -> bool {
-        let has_one_sinkage = match self.sinkage {
+        let has_one_sinkage = match *self.sinkage {
             Sinkage::Given(_) | Sinkage::UnderLoad { sinkage: KnownSinkage::Given(_), .. } => true,
             Sinkage::FromStatic { .. } | Sinkage::UnderLoad { .. } | Sinkage::CarryingLoad(_) => false,
         };
@@ -106,44 +125,75 @@ impl<'a> Plan<'a> {
         self.shared.by.contact.braking() != Braking::OneZone && Kinematics::at(&self.fixed.rings, slip.ratio()).skid > 0.0
     }
 
-    /// Pressure over depth; with an exponent that is no number where a known load does without.
+    /// Pressure over depth at `slip`.
     #[inline(always)]
     fn curve(&self, slip: Slip) -> Option<PressureCurve> {
-        match (self.shared.sought, self.law) {
-            (Sought::ForcesUnderLoad, Some(law)) => law.shape(slip).ok(),
-            (Sought::ForcesUnderLoad, None) => Some(PressureCurve { modulus: 1.0, exponent: f64::NAN }),
-            (_, Some(law)) => law.curve(&self.plate, slip).ok(),
-            (_, None) => None,
+        match self.fixed_curve {
+            Some(curve) => Some(curve),
+            None => curve_of(self.law, &self.plate, self.shared.sought, slip),
         }
     }
 
-    /// The point at `slip`; none for what is left to another way.
-    #[inline]
-    pub(crate) fn alone(&self, slip: Slip, near: Option<f64>) -> Option<OperatingPoint> {
-        let setting = self.setting(slip, near)?;
-        self.point(slip, setting.exponent, &self.shared.find_alone(&setting)?)
+    /// What is found at `slip` at a sinkage that is known; none for what is left to another way.
+    #[inline(always)] // the numbers would pass through memory
+    pub(crate) fn alone(&self, slip: Slip) -> Option<(f64, Found)> {
+        let setting = self.known(slip)?;
+        let found = self.shared.forces(&setting, &self.shared.frame(&setting, setting.sinkage)?);
+        self.is_point(setting.exponent, &found).then_some((setting.exponent, found))
     }
 
-    /// The point that was found; none where it is not one.
+    /// The same at the sinkage that carries the load, perhaps `near` one (m).
     #[inline(always)]
-    pub(super) fn point(&self, slip: Slip, exponent: f64, found: &Found) -> Option<OperatingPoint> {
-        let Found { sinkage, angles, modulus, left, .. } = *found;
-        let forces = found.forces.summed();
-        let is_point = forces.is_finite() && angles.are_in_order() && left <= crate::approach::LINEAR;
-        let is_met = match self.shared.sought {
+    pub(crate) fn carrying(&self, slip: Slip, near: Option<f64>) -> Option<(f64, Found)> {
+        let setting = self.guess(slip, near)?;
+        let found = self.shared.balance(&setting)?;
+        self.is_point(setting.exponent, &found).then_some((setting.exponent, found))
+    }
+
+    /// Whether what was found is a point.
+    #[inline(always)]
+    fn is_point(&self, exponent: f64, found: &Found) -> bool {
+        found.forces.summed().is_finite() && found.angles.are_in_order() && self.is_met(exponent, found)
+    }
+
+    /// Whether finite forces in a contact are those that were sought.
+    #[inline(always)]
+    pub(super) fn is_met(&self, exponent: f64, found: &Found) -> bool {
+        match self.shared.sought {
             Sought::Forces => true,
-            Sought::ForcesUnderLoad => modulus > 0.0 || exponent.is_nan(),
+            Sought::ForcesUnderLoad => found.modulus > 0.0 || exponent.is_nan(),
             Sought::Balance => {
-                let carried = CarriedLoad { sinkage, residual: forces.normal - self.fixed.load, iterations: 0, forces };
-                sinkage <= self.fixed.radius && carried.is_met(self.fixed.load)
+                let (load, forces) = (self.fixed.load, found.forces.summed());
+                let is_inside = found.left <= crate::approach::LINEAR && found.sinkage <= self.fixed.radius;
+                is_inside && is_met(forces.normal - load, forces.normal_scale(), load)
             }
-        };
-        if !(is_point && is_met) {
-            return None;
         }
-        let curve = if exponent.is_nan() { None } else { Some(PressureCurve { modulus, exponent }) };
-        let normal_stress_from = self.sinkage.normal_stress_from();
-        Some(OperatingPoint { slip, sinkage, angles, curve, granular_stiffness: None, normal_stress_from, forces })
+    }
+
+    /// The point that was found.
+    #[inline(always)]
+    pub(crate) fn point(&self, slip: Slip, exponent: f64, found: &Found) -> OperatingPoint {
+        let Found { sinkage, angles, modulus, .. } = *found;
+        OperatingPoint {
+            slip,
+            sinkage,
+            angles,
+            curve: if exponent.is_nan() { None } else { Some(PressureCurve { modulus, exponent }) },
+            granular_stiffness: None,
+            normal_stress_from: self.sinkage.normal_stress_from(),
+            forces: found.forces.summed(),
+        }
+    }
+}
+
+/// Pressure over depth by a `law`; with an exponent that is no number where a known load does without.
+#[inline(always)]
+fn curve_of(law: Option<&PressureSinkage>, plate: &Plate, sought: Sought, slip: Slip) -> Option<PressureCurve> {
+    match (sought, law) {
+        (Sought::ForcesUnderLoad, Some(law)) => law.shape(slip).ok(),
+        (Sought::ForcesUnderLoad, None) => Some(PressureCurve { modulus: 1.0, exponent: f64::NAN }),
+        (_, Some(law)) => law.curve(plate, slip).ok(),
+        (_, None) => None,
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::{ContactArc, angle_at_depth};
 use crate::law::Declared;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Parametrised};
 use crate::sources::{Citation, LETTER};
 

@@ -6,10 +6,10 @@
 //!
 //! τ = E(j/K) (c + σ tan φ) (letter, Eqs. 5, 6).
 //!
-//! Units: rad, Pa, m. Validity: rims that touch the soil with a surface of their own. Measured with a bevameter at
-//! Keweenaw, soil on soil and rubber on soil: φ 37.4 → 28.6°, K 24.2 → 6.0 mm, c 1.05 → 0 kPa on fine grains; 30.4 →
-//! 26.4°, 18.6 → 8.9 mm, 1.56 → 0.32 kPa on coarse ones; 37.3 → 28.7°, 27.5 → 6.5 mm, 3.06 → 0.46 kPa on wet ones. An interface
-//! that is stronger than the soil is refused: the soil would then shear in itself.
+//! Units: rad, Pa, m. Validity: rims that touch the soil with a surface of their own. Quoted as measured with the bevameter of the
+//! Keweenaw Research Center, soil on soil and rubber on soil: φ 37.4 → 28.6°, K 24.2 → 6.0 mm, c 1.05 → 0 kPa on fine grains; 30.4 →
+//! 26.4°, 18.6 → 8.9 mm, 1.56 → 0.32 kPa on coarse ones; 37.3 → 28.7°, 27.5 → 6.5 mm, 3.06 → 0.46 kPa on wet ones. No public text
+//! was found to check these values by. An interface that is stronger than the soil is refused: the soil would then shear in itself.
 //!
 //! The angle θ0 at which two zones of a braking wheel part is that of the soil, which fails in itself there, and so is all that is
 //! bulldozed. A lateral shear modulus that the soil has holds across the wheel; else the interface has one modulus both ways.

@@ -19,8 +19,7 @@ use crate::circles::Circles;
 use crate::error::Error;
 use crate::fault::InvalidInput;
 use crate::law::family;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::slip::Slip;
 
 family! {
@@ -257,7 +256,5 @@ const INSIDE: f64 = 1e-9;
 /// from 0 to 1.2, beyond which no contact reaches.
 #[inline(always)]
 pub(crate) fn angle_at_depth<F: Number>(d: F) -> F {
-    let half = d * 0.5;
-    let root = half.sqrt();
-    (root + root * half.arcsin_excess()) * 2.0
+    (d * 0.5).arcsin_root() * 2.0
 }

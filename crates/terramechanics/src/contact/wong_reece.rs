@@ -7,7 +7,7 @@
 use super::ContactArc;
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, WONG_REECE};
 

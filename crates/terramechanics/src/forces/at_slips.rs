@@ -6,15 +6,16 @@ use super::shearing::{Rim, Shearing, log_share};
 use super::{ForceModel, Forces};
 use crate::contact::AngleRates;
 use crate::numerics::gauss_legendre::FINE;
+use crate::numerics::level::level;
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
 use crate::stress::StressField;
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Simd, dispatch};
 
 /// The forces by quadrature in contacts of one zone that differ in the slip alone; none where one panel does not resolve the stresses,
 /// or where there are no such contacts.
 pub(crate) fn forces_at_slips(model: &ForceModel, patches: &[Option<ContactPatch<'_>>], found: &mut [Option<Forces>]) {
-    dispatch!(Level::new(), simd => in_lanes(simd, model, patches, found));
+    dispatch!(level(), simd => in_lanes(simd, model, patches, found));
 }
 
 #[inline(always)]

@@ -8,7 +8,7 @@ use super::shape::{shape_changes, shape_within};
 use super::{Components, ForceModel, Forces, Method, PeakDepth, ShapeIntegrals, explicit};
 use crate::contact::Contact;
 use crate::displacement::Way;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::patch::ContactPatch;
 use crate::shear::ShearLaw;
 use crate::stress::StressField;

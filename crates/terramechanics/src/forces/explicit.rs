@@ -27,7 +27,7 @@ use super::outline::Outline;
 use super::shape::{self, shape_within};
 use super::{Lambda, ShapeIntegrals};
 use crate::contact::AngleRates;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 
 /// A and B by Eq. (14); where λ is exact, that is what Eq. (12) gives.
 #[inline(always)]

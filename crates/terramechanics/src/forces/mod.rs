@@ -13,8 +13,6 @@
 mod at_slips;
 mod closed;
 mod explicit;
-#[cfg(test)]
-mod levels;
 mod method;
 pub(crate) mod outline;
 mod panel;
@@ -124,12 +122,7 @@ impl ForceModel {
         if forces.is_finite() { Ok(forces) } else { Err(Error::NotFinite) }
     }
 
-    /// Whether the method knows how its forces change as a wheel with one zone sinks.
-    pub(crate) fn has_slopes(&self) -> bool {
-        matches!(self.method, Method::Quadrature) || self.method.is_closed_form()
-    }
-
-    /// The forces of a contact of one zone and their changes against its entry angle (per rad), for a search of the sinkage: by few
+    /// The forces of a contact and their changes against its entry angle (per rad), for a search of the sinkage: by few
     /// nodes for a `coarse` look. None where that does not serve.
     pub(crate) fn forces_and_changes(&self, patch: &ContactPatch<'_>, coarse: bool) -> Option<(Forces, Forces)> {
         let stresses = &patch.stresses().ok()?;

@@ -1,7 +1,7 @@
 //! The shape of a contact as a closed form sees it: of one contact, or of several side by side.
 
 use crate::contact::{AngleRates, Angles, Contact};
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::patch::ContactPatch;
 use crate::rim::{RimEntry, RimPoint};
 

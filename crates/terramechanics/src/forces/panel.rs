@@ -4,7 +4,7 @@ use super::panels::{ROUNDING, Resolved, error_of};
 use super::shearing::{Pressing, Rim, Shearing};
 use crate::contact::AngleRates;
 use crate::numerics::gauss_legendre::LaneNodes;
-use crate::numerics::lanes::{LANES, Number, sum};
+use crate::numerics::lanes::{Arithmetic, LANES, sum};
 use crate::rim::RimPoint;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8};
@@ -217,7 +217,7 @@ impl<P: Pressing> Rim<'_, P> {
             shear_cos += front_shear * front.cos + rear_shear * rear.cos;
             shear_sin += front_shear * front.sin + rear_shear * rear.sin;
             shear_plain += both_shear;
-            shear_size += Number::abs(front_shear) + Number::abs(rear_shear);
+            shear_size += Arithmetic::abs(front_shear) + Arithmetic::abs(rear_shear);
             let (high, higher) = (in_lanes(simd, &null[0]), in_lanes(simd, &null[1]));
             normal_null[0] += both_normal * high;
             normal_null[1] += both_normal * higher;
@@ -229,8 +229,8 @@ impl<P: Pressing> Rim<'_, P> {
                 let deepening = (-(front.sin * front_turn) + patch.entry.sin()) / (front.rise * 2.0); // d ln z(θ)/dθ1
                 let normal_rate = normal * deepening * curve.exponent();
                 let strength_rate = normal_rate * patch.rolling.strength.tan_friction;
-                let front_rate = shearing.rate(&front, front_share, front_turn) * strength + front_share * strength_rate;
-                let rear_rate = shearing.rate(&rear, rear_share, rear_turn) * strength + rear_share * strength_rate;
+                let front_rate = shearing.rate_ahead(&front, front_share, front_turn) * strength + front_share * strength_rate;
+                let rear_rate = shearing.rate_behind(&rear, rear_share, rear_turn) * strength + rear_share * strength_rate;
                 changes.add(weight, &front_side, &front, front_turn, [[normal, normal_rate], [front_stress, front_rate]]);
                 changes.add(weight, &rear_side, &rear, rear_turn, [[normal, normal_rate], [rear_stress, rear_rate]]);
             }

@@ -92,6 +92,10 @@ struct Panel<S> {
 /// The sums over all panels, of which `sums` gives those over a range of u; at most `FEW` panels to begin with.
 #[inline]
 pub(super) fn integrate<S: Resolved, const FEW: usize>(edges: &Edges, sums: impl Fn(f64, f64) -> S) -> S {
+    if edges.are_of_one_panel() {
+        let only = Panel { from: 0.0, to: 1.0, sums: sums(0.0, 1.0) };
+        return if only.sums.relative_error() <= TOLERANCE { only.sums } else { refine(&[only], sums) };
+    }
     let mut few = [Panel::default(); FEW];
     let panels = &mut few[..edges.count - 1];
     for (panel, edge) in panels.iter_mut().zip(edges.places.windows(2)) {

@@ -21,13 +21,14 @@ use super::panel::{Integrals, Sums};
 use super::panels::{Edges, Resolved, TOLERANCE, integrate};
 use super::shearing::{LAYERS, Pressing, Rim, Shearing};
 use super::{Components, ForceModel, Forces};
+use crate::numerics::elementary::Number;
 use crate::numerics::gauss_legendre::{COARSE, FINE};
-use crate::numerics::lanes::Number;
+use crate::numerics::level::level;
 use crate::patch::ContactPatch;
 use crate::rim::RimPoint;
 use crate::stress::StressField;
 use crate::zones::Zones;
-use fearless_simd::{Level, dispatch};
+use fearless_simd::dispatch;
 
 /// Place in u behind which a layer at the peak has to begin, to be split off.
 const LATE: f64 = 0.7;
@@ -45,16 +46,28 @@ pub(super) fn forces(model: &ForceModel, stresses: &StressField<'_>) -> Forces {
 /// Halvings of the first panels after which a search by slopes is given up.
 const HALVINGS: u32 = 2;
 
-/// The forces of a contact of one zone and their changes against its entry angle (per rad), for a search of the sinkage: by few nodes
+/// The forces of a contact and their changes against its entry angle (per rad), for a search of the sinkage: by few nodes
 /// for a `coarse` look. None where a look that is not coarse needs more panels than such a search is worth.
 pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>, coarse: bool) -> Option<(Forces, Forces)> {
     let patch = stresses.patch;
-    let (rim, shearing) = (Rim::of(stresses), OneZone(patch));
+    match patch.zones() {
+        None => forces_and_changes_by(model, stresses, &OneZone(patch), coarse),
+        Some(zones) => forces_and_changes_by(model, stresses, &TwoZones(patch, &zones), coarse),
+    }
+}
+
+fn forces_and_changes_by<S: Shearing>(
+    model: &ForceModel,
+    stresses: &StressField<'_>,
+    shearing: &S,
+    coarse: bool,
+) -> Option<(Forces, Forces)> {
+    let patch = stresses.patch;
+    let rim = Rim::of(stresses);
     let rates = &patch.rates();
-    let level = Level::new();
     if coarse {
         let (sums, changes) =
-            dispatch!(level, simd => rim.sums_and_changes::<_, _, _, true>(simd, &COARSE, &shearing, [0.0, 1.0], rates));
+            dispatch!(level(), simd => rim.sums_and_changes::<_, _, _, true>(simd, &COARSE, shearing, [0.0, 1.0], rates));
         return Some((forces_of(model, patch, &sums.integrals, sums.relative_error()), forces_of(model, patch, &changes, 0.0)));
     }
     let edges = shearing.edges(&rim);
@@ -62,7 +75,7 @@ pub(super) fn forces_and_changes(model: &ForceModel, stresses: &StressField<'_>,
         let (mut sums, mut changes) = (Sums::default(), Integrals::default());
         for range in edges.ranges(1 << halvings) {
             let (more, further) =
-                dispatch!(level, simd => rim.sums_and_changes::<_, _, _, true>(simd, &FINE, &shearing, range, rates));
+                dispatch!(level(), simd => rim.sums_and_changes::<_, _, _, true>(simd, &FINE, shearing, range, rates));
             sums.add(&more);
             changes.add(&further);
         }
@@ -101,10 +114,7 @@ pub(super) fn forces_of(model: &ForceModel, patch: &ContactPatch<'_>, integrals:
 
 /// The integrals, from at most `FEW` panels to begin with.
 fn integrals<P: Pressing, S: Shearing<P>, const FEW: usize>(rim: &Rim<'_, P>, shearing: &S) -> Sums {
-    integrate::<_, FEW>(
-        &shearing.edges(rim),
-        |from, to| dispatch!(Level::new(), simd => rim.sums(simd, &FINE, shearing, [from, to])),
-    )
+    integrate::<_, FEW>(&shearing.edges(rim), |from, to| dispatch!(level(), simd => rim.sums(simd, &FINE, shearing, [from, to])))
 }
 
 /// The integrals of a contact of two zones. Apart, so that other contacts do not carry its code along.
@@ -142,7 +152,7 @@ impl<P: Pressing> Shearing<P> for OneZone<'_> {
     }
 
     #[inline(always)]
-    fn rate<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
+    fn rate_ahead<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
         self.0.mobilisation_rate(point, share, turn)
     }
 
@@ -162,12 +172,28 @@ impl TwoZones<'_> {
 impl Shearing for TwoZones<'_> {
     #[inline(always)]
     fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F {
-        point.by_lane(|point| self.1.mobilisation_ahead(self.0.rolling, point))
+        self.1.mobilisation_ahead(self.0.rolling, point)
     }
 
     #[inline(always)]
     fn behind<F: Number>(&self, point: &RimPoint<F>) -> F {
-        point.by_lane(|point| self.1.mobilisation_behind(self.0.rolling, point))
+        self.1.mobilisation_behind(self.0.rolling, point)
+    }
+
+    #[inline(always)]
+    fn rate_ahead<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
+        let Self(patch, zones) = *self;
+        let rolling = patch.rolling;
+        let entry_turn = patch.way().entry_turn([rolling.system.wheel.radius(), patch.sinkage], &patch.entry);
+        let rate = zones.displacement_rate_ahead(&rolling.kinematics, point, [turn, turn.like(entry_turn)]);
+        rolling.mobilisation_rate(zones.displacement_ahead(rolling, point), share, rate)
+    }
+
+    #[inline(always)]
+    fn rate_behind<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
+        let Self(ContactPatch { rolling, .. }, zones) = self;
+        let rate = zones.displacement_rate_behind(&rolling.kinematics, point, turn);
+        rolling.mobilisation_rate(zones.displacement_behind(rolling, point), share, rate)
     }
 
     fn edges(&self, rim: &Rim<'_>) -> Edges {

@@ -9,21 +9,24 @@
 //! The rule. The integrand is smooth in the chord w but for the layer at the lowest point where γ swings, of width e: there are
 //! branch points at ±i e. With w = e sinh u they go to ±i π/2, far from the range of u, and the points crowd in the layer. A layer
 //! much thinner than the contact makes the range of u long. Then the last part of it, where all but the layer lies, is a panel of its
-//! own; what the points miss of the layer weighs little. A layer thinner than [`THINNEST`] of the contact counts as that thick.
+//! own; what the points miss of the layer weighs little. A layer thinner than counts is
+//! taken for thicker, see [`LeadingEdge::crowding`].
+//!
+//! A wheel that sinks by dz has all of its edge deeper by as much, so that dF/dz is the same integral without the depth d: the same
+//! points give both.
 //!
 //! But for its scale the integral depends on the slip and on z/r alone, so its error is known over all of both: [`ERROR`].
 
 use super::{Components, Forces};
 use crate::error::Error;
-use crate::numerics::gauss_legendre::{NODES, Node};
+use crate::numerics::elementary::Number;
+use crate::numerics::gauss_legendre::{COARSE, FINE, LaneNodes};
+use crate::numerics::lanes::sum;
+use crate::numerics::level::level;
 use crate::resistive_force::LeadingEdge;
 use crate::rolling::Rolling;
-
-/// Width of a layer over the contact below which it does not count: its share of the forces is about that.
-const THINNEST: f64 = 1e-12;
-
-/// Width of a layer over the contact above which the chord itself is as good a variable.
-const WIDEST: f64 = 4.0;
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, dispatch, f64x8};
 
 /// Range of u that one panel resolves.
 const LONGEST: f64 = 4.5;
@@ -48,30 +51,34 @@ pub(crate) fn forces_per_stiffness(rolling: &Rolling<'_>, sinkage: f64) -> Resul
     Ok(forces(&LeadingEdge::of_unit_stiffness(rolling, sinkage)?))
 }
 
+/// The forces of a wheel at `sinkage` z (m), and their changes over ln z (N), for a search of the sinkage: by few nodes for a `coarse`
+/// look. None where there are no forces.
+pub(crate) fn forces_and_slopes_in_grains(rolling: &Rolling<'_>, sinkage: f64, coarse: bool) -> Option<(Forces, Forces)> {
+    let edge = &LeadingEdge::of(rolling, sinkage).ok()?;
+    let (scale, range) = edge.crowding();
+    let ends = [0.0, (range - LONGEST).max(0.0), range];
+    let [pressed, slopes] = if coarse {
+        dispatch!(level(), simd => sums::<_, _, true>(simd, &COARSE, edge, scale, &ends[1..]))
+    } else {
+        let ends = if range <= LONGEST { &ends[1..] } else { &ends };
+        dispatch!(level(), simd => sums::<_, _, true>(simd, &FINE, edge, scale, ends))
+    };
+    Some((pressed.forces(edge), slopes.forces(edge).scaled(sinkage)))
+}
+
 fn forces(edge: &LeadingEdge) -> Forces {
-    let scale = edge.motion.layer().clamp(THINNEST * edge.reach, WIDEST * edge.reach);
-    let range = (edge.reach / scale).asinh();
+    let (scale, range) = edge.crowding();
     if range <= LONGEST { forces_by(edge, scale, &[0.0, range]) } else { forces_by(edge, scale, &[0.0, range - LONGEST, range]) }
 }
 
 /// The forces by panels of u with those ends.
 #[inline]
 fn forces_by(edge: &LeadingEdge, scale: f64, ends: &[f64]) -> Forces {
-    let mut sums = Sums::default();
-    for ends in ends.windows(2) {
-        sums.add(edge, scale, ends[0], ends[1]);
-    }
-    let area = edge.radius * edge.width;
-    let components = Components {
-        traction: area * sums.shear_cos,
-        resistance: area * sums.normal_sin,
-        normal_support: area * sums.normal_cos,
-        shear_support: area * sums.shear_sin,
-    };
-    Forces::new(components, edge.radius * area * sums.shear_plain, ERROR)
+    let [pressed, _] = dispatch!(level(), simd => sums::<_, _, false>(simd, &FINE, edge, scale, ends));
+    pressed.forces(edge)
 }
 
-/// Integrals over the leading edge.
+/// Integrals over the leading edge of the stresses over ξ.
 #[derive(Default)]
 struct Sums {
     /// ∫ σ cos θ dθ and ∫ σ sin θ dθ.
@@ -84,23 +91,66 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds the panel of u between two ends.
-    #[inline]
-    fn add(&mut self, edge: &LeadingEdge, scale: f64, from: f64, to: f64) {
-        let length = to - from;
-        for Node { place, weight, .. } in &NODES {
-            let growth = (from + length * place).exp();
-            let decay = 1.0 / growth;
-            let at = edge.at(0.5 * scale * (growth - decay)); // w = e sinh u
-            let arc = length * weight * 0.5 * scale * (growth + decay) / at.cos_half; // dθ = dw / cos(θ/2)
-            let (normal, shear) = (arc * at.stresses.normal, arc * at.stresses.shear);
-            self.normal_cos += normal * at.cos;
-            self.normal_sin += normal * at.sin;
-            self.shear_cos += shear * at.cos;
-            self.shear_sin += shear * at.sin;
-            self.shear_plain += shear;
+    #[inline(always)]
+    fn of<L: Simd>([normal_cos, normal_sin, shear_cos, shear_sin, shear_plain]: [f64x8<L>; 5]) -> Self {
+        // Each by a call of its own: what maps an array is not compiled for the lanes.
+        Self {
+            normal_cos: sum(normal_cos),
+            normal_sin: sum(normal_sin),
+            shear_cos: sum(shear_cos),
+            shear_sin: sum(shear_sin),
+            shear_plain: sum(shear_plain),
         }
     }
+
+    fn forces(&self, edge: &LeadingEdge) -> Forces {
+        let pressing = edge.stiffness * edge.radius * edge.width;
+        let components = Components {
+            traction: pressing * self.shear_cos,
+            resistance: pressing * self.normal_sin,
+            normal_support: pressing * self.normal_cos,
+            shear_support: pressing * self.shear_sin,
+        };
+        Forces::new(components, edge.radius * pressing * self.shear_plain, ERROR)
+    }
+}
+
+/// The integrals over panels of u with those ends, and if `CHANGING` their changes over the sinkage.
+#[inline(always)]
+fn sums<L: Simd, const N: usize, const CHANGING: bool>(
+    simd: L,
+    nodes: &[LaneNodes; N],
+    edge: &LeadingEdge,
+    scale: f64,
+    ends: &[f64],
+) -> [Sums; 2] {
+    let zero = f64x8::splat(simd, 0.0);
+    let [mut pressed, mut changes] = [[zero; 5]; 2];
+    for ends in ends.windows(2) {
+        let (from, length) = (ends[0], ends[1] - ends[0]);
+        for LaneNodes { place, weight, .. } in nodes {
+            let growth = Number::exp(f64x8::simd_from(simd, *place) * length + from);
+            let decay = f64x8::splat(simd, 1.0) / growth;
+            let at = edge.at((growth - decay) * (0.5 * scale)); // w = e sinh u
+            // dθ = dw / cos(θ/2)
+            let arc = f64x8::simd_from(simd, *weight) * (growth + decay) * (0.5 * scale * length) / at.cos_half;
+            add(&mut pressed, [arc * at.depth * at.normal, arc * at.depth * at.shear], [at.cos, at.sin]);
+            if CHANGING {
+                add(&mut changes, [arc * at.normal, arc * at.shear], [at.cos, at.sin]);
+            }
+        }
+    }
+    [Sums::of(pressed), Sums::of(changes)]
+}
+
+/// Adds what nodes have of σ dθ and τ dθ.
+#[inline(always)]
+fn add<L: Simd>(sums: &mut [f64x8<L>; 5], [normal, shear]: [f64x8<L>; 2], [cos, sin]: [f64x8<L>; 2]) {
+    sums[0] += normal * cos;
+    sums[1] += normal * sin;
+    sums[2] += shear * cos;
+    sums[3] += shear * sin;
+    sums[4] += shear;
 }
 
 #[cfg(test)]
@@ -128,7 +178,7 @@ mod tests {
                 let rolling = system.rolling_in_grains(Slip::new(slip).expect("a slip"));
                 let edge = LeadingEdge::of_unit_stiffness(&rolling, share).expect("an edge");
                 let found = forces(&edge);
-                let scale = edge.motion.layer().clamp(1e-2 * THINNEST * edge.reach, WIDEST * edge.reach);
+                let scale = edge.motion.layer().clamp(1e-14 * edge.reach, 4.0 * edge.reach);
                 let range = (edge.reach / scale).asinh();
                 let ends: Vec<f64> = (0..=10).map(|i| range * f64::from(i) / 10.0).collect();
                 let fine = forces_by(&edge, scale, &ends);

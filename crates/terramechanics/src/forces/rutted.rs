@@ -13,7 +13,7 @@ use super::shearing::{Pressing, Rim, Shearing};
 use super::{ForceModel, Forces};
 use crate::contact::angle_at_depth;
 use crate::error::Error;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
 use crate::rim::RimPoint;

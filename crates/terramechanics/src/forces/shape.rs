@@ -11,7 +11,7 @@
 
 use crate::contact::{AngleRates, Angles};
 use crate::numerics::circular::{ArcMeans, HalfArc};
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 
 /// Integrals of the triangle that rises from 0 at θ2 to 1 at θm and falls to 0 at θ1.
 #[derive(Debug, Clone, Copy, PartialEq)]

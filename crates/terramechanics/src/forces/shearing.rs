@@ -2,8 +2,7 @@
 
 use super::panels::Edges;
 use crate::contact::Angles;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::patch::ContactPatch;
 use crate::pressure_sinkage::PressureCurve;
 use crate::rim::{EntryArc, RimPoint};
@@ -68,10 +67,15 @@ pub(super) trait Shearing<P = PressureCurve> {
     fn ahead<F: Number>(&self, point: &RimPoint<F>) -> F;
     fn behind<F: Number>(&self, point: &RimPoint<F>) -> F;
 
-    /// dE/dθ1 (1/rad) at a place where E is `share` and which moves at `turn` = dθ/dθ1; NaN where a law does not know it.
+    /// dE/dθ1 (1/rad) at a place ahead of the peak where E is `share` and which moves at `turn` = dθ/dθ1, and at one behind it; NaN
+    /// where a law does not know it.
     #[inline(always)]
-    fn rate<F: Number>(&self, _point: &RimPoint<F>, share: F, _turn: F) -> F {
+    fn rate_ahead<F: Number>(&self, _point: &RimPoint<F>, share: F, _turn: F) -> F {
         share.like(f64::NAN)
+    }
+    #[inline(always)]
+    fn rate_behind<F: Number>(&self, point: &RimPoint<F>, share: F, turn: F) -> F {
+        self.rate_ahead(point, share, turn)
     }
 
     /// Ends of the panels: the ends of thin layers of shear, and the places where E is not smooth.

@@ -4,7 +4,7 @@
 //! whose remainders are below 1e-17 at π/2, give sine, cosine and the difference x − sin x in one go, faster than the
 //! library's sine and cosine. The subtraction x − sin x would lose two digits in every decade as x falls; the series does not.
 
-use super::lanes::Number;
+use super::lanes::Arithmetic;
 
 /// Functions of an angle x in |x| ≤ 1.1 π/2.
 #[derive(Debug, Clone, Copy)]
@@ -35,24 +35,27 @@ const RECIPROCAL_FACTORIALS: [f64; 23] = {
 ///
 /// Terms of even and odd k are summed apart: two short chains of dependent operations instead of a long one.
 #[inline(always)]
-fn alternating_series<F: Number>(y: F, first: usize) -> F {
+fn alternating_series<F: Arithmetic>(y: F, first: usize) -> F {
     let square = y * y;
     series_of_every_fourth(square, first) - y * series_of_every_fourth(square, first + 2)
 }
 
-/// Σ z^k/(first + 4k)! up to the last factorial of the table.
+/// Σ z^k/(first + 4k)! up to the last factorial of the table, by pairs of terms so that few operations wait for one another. The
+/// largest term comes last, so that the roundings of the others stay small beside it.
 #[inline(always)]
-fn series_of_every_fourth<F: Number>(z: F, first: usize) -> F {
-    let mut n = first + (22 - first) / 4 * 4;
-    let mut sum = z.like(RECIPROCAL_FACTORIALS[n]);
-    while n > first {
-        n -= 4;
-        sum = sum * z + RECIPROCAL_FACTORIALS[n];
-    }
-    sum
+fn series_of_every_fourth<F: Arithmetic>(z: F, first: usize) -> F {
+    let pair = |n: usize| z * RECIPROCAL_FACTORIALS[n + 4] + RECIPROCAL_FACTORIALS[n];
+    let z2 = z * z;
+    let last = if first + 20 < RECIPROCAL_FACTORIALS.len() {
+        z * RECIPROCAL_FACTORIALS[first + 20] + RECIPROCAL_FACTORIALS[first + 16]
+    } else {
+        z.like(RECIPROCAL_FACTORIALS[first + 16])
+    };
+    let rest = (z * RECIPROCAL_FACTORIALS[first + 4] + z2 * pair(first + 8)) + z2 * z2 * last;
+    rest + RECIPROCAL_FACTORIALS[first]
 }
 
-impl<F: Number> HalfArc<F> {
+impl<F: Arithmetic> HalfArc<F> {
     /// The functions at `x`.
     #[inline(always)]
     pub(crate) fn of(x: F) -> Self {
@@ -72,7 +75,7 @@ pub(crate) struct ArcMeans<F = f64> {
     pub(crate) one_minus_cos: F,
 }
 
-impl<F: Number> ArcMeans<F> {
+impl<F: Arithmetic> ArcMeans<F> {
     /// Over the arc from p − x to p + x, with p = `middle` in |p| ≤ π and x = `half` in 0 < x ≤ π/2: ⟨sin⟩ = sin p · sin x/x,
     /// ⟨cos⟩ = cos p · sin x/x.
     #[inline(always)]

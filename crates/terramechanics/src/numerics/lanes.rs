@@ -1,6 +1,6 @@
 //! Numbers in lanes: one formula for a single number and for eight side by side.
 //!
-//! A formula that is written over [`Number`] serves a place of the rim and eight nodes of an integral alike. Eight doubles are one
+//! A formula that is written over [`Arithmetic`] serves a place of the rim and eight nodes of an integral alike. Eight doubles are one
 //! register of AVX-512, two of AVX2 and four of SSE2 or NEON; which of them there are is found when the program runs. Every step is an
 //! addition, a multiplication or a division of its own, never a fused one, and sums are formed in one order, so that the lanes give
 //! the same bits on each of these machines.
@@ -14,8 +14,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// Lanes side by side.
 pub(crate) const LANES: usize = 8;
 
-/// A number, or one in each lane.
-pub(crate) trait Number:
+/// What a number, or one in each lane, is reckoned with.
+pub(crate) trait Arithmetic:
     Copy
     + Neg<Output = Self>
     + Add<Output = Self>
@@ -42,10 +42,6 @@ pub(crate) trait Number:
     fn if_not_negative(self, this: Self, other: Self) -> Self;
     /// Whether no number is larger than `most`, nor NaN.
     fn all_at_most(self, most: f64) -> bool;
-    /// 2^k of a whole number k that lies in the last bits.
-    fn power_of_two(self) -> Self;
-    /// k and m with x = 2^k m and m from √½ to √2, of a normal number greater than 0.
-    fn exponent_and_mantissa(self) -> (Self, Self);
     /// What `f` gives for each lane.
     fn by_lane(self, f: impl FnMut(usize) -> f64) -> Self;
     /// The number in a lane.
@@ -53,9 +49,9 @@ pub(crate) trait Number:
 }
 
 /// Numbers that go together with one of kind `K`: the same for all lanes, or with lanes of its own.
-pub(crate) trait Beside<K>: Number + Add<K, Output = Self> + Sub<K, Output = Self> + Mul<K, Output = Self> {}
+pub(crate) trait Beside<K>: Arithmetic + Add<K, Output = Self> + Sub<K, Output = Self> + Mul<K, Output = Self> {}
 
-impl<K, F: Number + Add<K, Output = F> + Sub<K, Output = F> + Mul<K, Output = F>> Beside<K> for F {}
+impl<K, F: Arithmetic + Add<K, Output = F> + Sub<K, Output = F> + Mul<K, Output = F>> Beside<K> for F {}
 
 const MANTISSA_BITS: u32 = 52;
 const MANTISSA: u64 = (1 << MANTISSA_BITS) - 1;
@@ -68,7 +64,7 @@ const TO_ONE: u64 = 1.0_f64.to_bits() - LEAST_MANTISSA;
 /// 2^52: its bits set above those of a small integer make it a double.
 const TWO_52: f64 = 4_503_599_627_370_496.0;
 
-impl Number for f64 {
+impl Arithmetic for f64 {
     #[inline(always)]
     fn like(self, value: f64) -> Self {
         value
@@ -110,18 +106,6 @@ impl Number for f64 {
     }
 
     #[inline(always)]
-    fn power_of_two(self) -> Self {
-        Self::from_bits(self.to_bits().wrapping_add(BIAS) << MANTISSA_BITS)
-    }
-
-    #[inline(always)]
-    fn exponent_and_mantissa(self) -> (Self, Self) {
-        let shifted = self.to_bits().wrapping_add(TO_ONE);
-        let exponent = Self::from_bits((shifted >> MANTISSA_BITS) | TWO_52.to_bits()) - (TWO_52 + BIAS as f64);
-        (exponent, Self::from_bits((shifted & MANTISSA) + LEAST_MANTISSA))
-    }
-
-    #[inline(always)]
     fn by_lane(self, mut f: impl FnMut(usize) -> f64) -> Self {
         f(0)
     }
@@ -132,7 +116,7 @@ impl Number for f64 {
     }
 }
 
-impl<S: Simd> Number for f64x8<S> {
+impl<S: Simd> Arithmetic for f64x8<S> {
     #[inline(always)]
     fn like(self, value: f64) -> Self {
         Self::splat(self.simd, value)
@@ -176,18 +160,6 @@ impl<S: Simd> Number for f64x8<S> {
     }
 
     #[inline(always)]
-    fn power_of_two(self) -> Self {
-        ((self.bitcast::<u64x8<S>>() + BIAS) << MANTISSA_BITS).bitcast()
-    }
-
-    #[inline(always)]
-    fn exponent_and_mantissa(self) -> (Self, Self) {
-        let shifted = self.bitcast::<u64x8<S>>() + TO_ONE;
-        let exponent = ((shifted >> MANTISSA_BITS) | TWO_52.to_bits()).bitcast::<Self>() - (TWO_52 + BIAS as f64);
-        (exponent, ((shifted & MANTISSA) + LEAST_MANTISSA).bitcast())
-    }
-
-    #[inline(always)]
     fn by_lane(self, f: impl FnMut(usize) -> f64) -> Self {
         Self::from_fn(self.simd, f)
     }
@@ -196,6 +168,20 @@ impl<S: Simd> Number for f64x8<S> {
     fn lane(&self, lane: usize) -> f64 {
         self[lane]
     }
+}
+
+/// 2^k of a whole number k that lies in the last bits.
+#[inline(always)]
+pub(super) fn power_of_two<S: Simd>(k: f64x8<S>) -> f64x8<S> {
+    ((k.bitcast::<u64x8<S>>() + BIAS) << MANTISSA_BITS).bitcast()
+}
+
+/// k and m with x = 2^k m and m from √½ to √2, of a normal number greater than 0.
+#[inline(always)]
+pub(super) fn exponent_and_mantissa<S: Simd>(x: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
+    let shifted = x.bitcast::<u64x8<S>>() + TO_ONE;
+    let exponent = ((shifted >> MANTISSA_BITS) | TWO_52.to_bits()).bitcast::<f64x8<S>>() - (TWO_52 + BIAS as f64);
+    (exponent, ((shifted & MANTISSA) + LEAST_MANTISSA).bitcast())
 }
 
 /// The sum over the lanes, by halves: in the same order on every machine.

@@ -5,3 +5,4 @@ pub(crate) mod circular;
 pub(crate) mod elementary;
 pub(crate) mod gauss_legendre;
 pub(crate) mod lanes;
+pub(crate) mod level;

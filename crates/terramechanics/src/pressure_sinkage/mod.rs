@@ -16,8 +16,7 @@ pub use reece::Reece;
 use crate::caution::Caution;
 use crate::error::Error;
 use crate::law::family;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::slip::Slip;
 
 family! {

@@ -65,7 +65,7 @@ impl ForceModel {
         match self.method {
             Method::ResistiveForce => {
                 let edge = LeadingEdge::of(patch.rolling, patch.sinkage)?;
-                Ok(edge.at_angle(theta).map_or(Stresses { normal: 0.0, shear: 0.0 }, |place| place.stresses))
+                Ok(edge.at_angle(theta).map_or(Stresses { normal: 0.0, shear: 0.0 }, |place| edge.stresses(&place)))
             }
             Method::Quadrature | Method::SideSlipping(_) | Method::Linearised { .. } | Method::Explicit { .. } => {
                 Ok(patch.stresses()?.at(theta))

@@ -12,11 +12,17 @@
 use super::response::{Direction, Response, STRAIGHT_DOWN};
 use crate::circles::{Circles, Kinematics, ShearDisplacementRadius};
 use crate::error::{Error, SoilLaw};
-use crate::numerics::brent::Sample;
+use crate::numerics::elementary::Number;
 use crate::rolling::{Rolling, WheelOnSoil};
 use crate::slip::Slip;
 use crate::stress::Stresses;
 use crate::wheel::Wheel;
+
+/// Width of a layer over the contact below which it does not count: its share of the forces is about that.
+const THINNEST: f64 = 1e-12;
+
+/// Width of a layer over the contact above which the chord itself is as good a variable.
+const WIDEST: f64 = 4.0;
 
 /// How the rim moves: speeds over the faster of rim and axle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,14 +52,15 @@ impl RimMotion {
 
     /// Direction γ of the place of the rim at a chord w (–), with its sin θ.
     #[inline(always)]
-    fn direction(&self, chord: f64, sin: f64) -> Direction {
-        let (down, ahead) = (self.rim * sin, self.excess - 0.5 * self.rim * chord * chord);
-        let speed = (self.excess * self.excess + self.rim * self.axle * chord * chord).sqrt();
-        if speed > 0.0 {
-            let per_speed = 1.0 / speed;
-            Direction { sin: down * per_speed, cos: ahead * per_speed }
-        } else {
-            Direction { sin: 1.0, cos: 0.0 } // the instant centre of a rolling wheel: the limit from ahead
+    fn direction<F: Number>(&self, chord: F, sin: F) -> Direction<F> {
+        let square = chord * chord;
+        let (down, ahead) = (sin * self.rim, square * (-0.5 * self.rim) + self.excess);
+        let speed = (square * (self.rim * self.axle) + self.excess * self.excess).sqrt();
+        let per_speed = speed.like(1.0) / speed;
+        let still = -speed; // not negative at the instant centre of a rolling wheel: there γ is its limit from ahead
+        Direction {
+            sin: still.if_not_negative(speed.like(1.0), down * per_speed),
+            cos: still.if_not_negative(speed.like(0.0), ahead * per_speed),
         }
     }
 
@@ -68,7 +75,7 @@ impl RimMotion {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LeadingEdge {
     /// ξ (N/m³).
-    stiffness: f64,
+    pub(crate) stiffness: f64,
     pub(crate) radius: f64,
     pub(crate) width: f64,
     /// w1 = 2 sin(θ1/2) (–).
@@ -78,16 +85,17 @@ pub(crate) struct LeadingEdge {
 
 /// A place of the leading edge.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct Place<F = f64> {
     /// sin θ and cos θ.
-    pub(crate) sin: f64,
-    pub(crate) cos: f64,
+    pub(crate) sin: F,
+    pub(crate) cos: F,
     /// cos(θ/2) = dw/dθ.
-    pub(crate) cos_half: f64,
+    pub(crate) cos_half: F,
     /// Depth d (m).
-    pub(crate) depth: f64,
-    /// σ and τ (Pa).
-    pub(crate) stresses: Stresses,
+    pub(crate) depth: F,
+    /// σ/(ξ d) and τ/(ξ d) (–).
+    pub(crate) normal: F,
+    pub(crate) shear: F,
 }
 
 impl LeadingEdge {
@@ -117,15 +125,21 @@ impl LeadingEdge {
 
     /// The place at a chord w (–) from the lowest point.
     #[inline(always)]
-    pub(crate) fn at(&self, chord: f64) -> Place {
-        let half_square = 0.5 * chord * chord;
-        let cos_half = (1.0 - 0.5 * half_square).sqrt();
-        let (sin, cos) = (chord * cos_half, 1.0 - half_square);
-        let depth = 0.5 * self.radius * (self.reach - chord) * (self.reach + chord);
+    pub(crate) fn at<F: Number>(&self, chord: F) -> Place<F> {
+        let half_square = chord * chord * 0.5;
+        let cos_half = (-(half_square * 0.5) + 1.0).sqrt();
+        let (sin, cos) = (chord * cos_half, -half_square + 1.0);
+        let depth = (-chord + self.reach) * (chord + self.reach) * (0.5 * self.radius);
         let Response { along, up } = Response::of(Direction { sin, cos }, self.motion.direction(chord, sin));
-        let pressure = self.stiffness * depth;
-        let stresses = Stresses { normal: pressure * (up * cos - along * sin), shear: pressure * (along * cos + up * sin) };
-        Place { sin, cos, cos_half, depth, stresses }
+        Place { sin, cos, cos_half, depth, normal: up * cos - along * sin, shear: along * cos + up * sin }
+    }
+
+    /// Width e (–) of the layer that points crowd in by w = e sinh u, kept between the widths that count, and the range of u.
+    #[inline]
+    pub(crate) fn crowding(&self) -> (f64, f64) {
+        let scale = self.motion.layer().clamp(THINNEST * self.reach, WIDEST * self.reach);
+        let end = self.reach / scale; // at least a quarter, so that the sum keeps the digits of its logarithm
+        (scale, (end + (end * end + 1.0).sqrt()).ln())
     }
 
     /// The place at `theta` (rad); none outside the edge.
@@ -134,42 +148,11 @@ impl LeadingEdge {
         (theta >= 0.0 && chord <= self.reach).then(|| self.at(chord))
     }
 
-    /// Angle θ (rad) of the largest normal stress: sampled along the edge, closely where γ swings, closed in on by golden section and
-    /// at last by a parabola. The stress is flat there, so it has all of its digits where the place has six or so.
-    pub(crate) fn peak(&self) -> f64 {
-        const SAMPLES: u32 = 16;
-        const STEPS: u32 = 11;
-        const GOLDEN: f64 = 0.618_033_988_749_894_8;
-        let scale = self.motion.layer().clamp(1e-12 * self.reach, 4.0 * self.reach);
-        let whole = (self.reach / scale).asinh();
-        let chord = |place: f64| (scale * place.sinh()).min(self.reach);
-        let sample = |x: f64| Sample { x, y: self.at(chord(x)).stresses.normal };
-        let higher = |one: Sample, other: Sample| if other.y > one.y { other } else { one };
-        let stride = whole / f64::from(SAMPLES);
-        let highest = (1..SAMPLES).map(|i| sample(stride * f64::from(i))).fold(sample(0.0), higher);
-        let (mut left, mut right) = ((highest.x - stride).max(0.0), (highest.x + stride).min(whole));
-        let (mut low, mut high) = (sample(right - GOLDEN * (right - left)), sample(left + GOLDEN * (right - left)));
-        for _ in 0..STEPS {
-            if low.y > high.y {
-                (right, high) = (high.x, low);
-                low = sample(right - GOLDEN * (right - left));
-            } else {
-                (left, low) = (low.x, high);
-                high = sample(left + GOLDEN * (right - left));
-            }
-        }
-        let closest = higher(higher(highest, low), high);
-        let vertex = if low.y > high.y { vertex(sample(left), low, high) } else { vertex(low, high, sample(right)) };
-        let highest = vertex.map_or(closest, |place| higher(closest, sample(place.clamp(left, right))));
-        2.0 * (0.5 * chord(highest.x)).asin()
+    /// The stresses (Pa) at a place.
+    pub(crate) fn stresses(&self, place: &Place) -> Stresses {
+        let pressure = self.stiffness * place.depth;
+        Stresses { normal: pressure * place.normal, shear: pressure * place.shear }
     }
-}
-
-/// Place of the vertex of the parabola through three samples; none through three on a line.
-fn vertex(a: Sample, b: Sample, c: Sample) -> Option<f64> {
-    let (before, after) = ((b.x - a.x) * (b.y - c.y), (b.x - c.x) * (b.y - a.y));
-    let place = b.x - 0.5 * ((b.x - a.x) * before - (b.x - c.x) * after) / (before - after);
-    place.is_finite().then_some(place)
 }
 
 /// ξ (N/m³) of the soil.

@@ -26,6 +26,7 @@
 
 mod contact;
 mod edge;
+mod peak;
 mod profile;
 mod response;
 mod stiffness;

@@ -33,8 +33,9 @@ fn in_grains(edge: &LeadingEdge, angles: &Angles, points: usize) -> StressProfil
         let place = edge.at(chord.min(edge.reach));
         profile.theta.push(theta);
         profile.depth.push(place.depth);
-        profile.normal.push(place.stresses.normal);
-        profile.shear.push(place.stresses.shear);
+        let stresses = edge.stresses(&place);
+        profile.normal.push(stresses.normal);
+        profile.shear.push(stresses.shear);
     }
     profile.normal_linear = vec![f64::NAN; places.len()];
     profile.shear_linear = vec![f64::NAN; places.len()];

@@ -6,8 +6,7 @@
 
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::law::Declared;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, JANOSI_HANAMOTO, LETTER};
 

@@ -13,7 +13,7 @@ pub use wong_peak::WongPeak;
 pub use wong_residual::WongResidual;
 
 use crate::law::family;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 
 family! {
     /// A shear law with its parameters.

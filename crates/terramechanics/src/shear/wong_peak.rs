@@ -5,8 +5,7 @@
 //! dE/dj = 0 and E = 1 at j = K_w, and E → 0 for large j.
 
 use crate::law::Declared;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, WONG_BOOK};
 

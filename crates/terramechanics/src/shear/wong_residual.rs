@@ -7,8 +7,7 @@
 //! and E rises a little above 1, which is the formula's and not clipped.
 
 use crate::law::Declared;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, WONG_BOOK};
 

@@ -1,6 +1,6 @@
 //! What do the wheels of a rover give together?
 
-use super::{Drive, Told, Vehicle, VehicleError, rut};
+use super::{Consent, Drive, Told, Vehicle, VehicleError, rut};
 use crate::caution::Caution;
 use crate::error::Error;
 use crate::forces::Forces;
@@ -72,11 +72,12 @@ impl Vehicle {
     /// # Errors
     /// [`VehicleError::Wheel`] with the first station whose wheel the model refuses; [`VehicleError::TorqueNotHeld`].
     pub fn at(&self, slip: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
-        self.beside(&self.told(loads)?, slip, loads)
+        let consent = Consent::new(&|| true);
+        self.beside(&self.told(loads, &consent)?, slip, loads)
     }
 
     /// The same with those wheels that are told how to turn, as far as they are known.
-    pub(super) fn beside(&self, told: &Told, slip: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
+    pub(super) fn beside(&self, told: &Told<'_>, slip: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
         if self.params.drive == Drive::EqualTorque {
             return self.at_equal_torque(told, slip, loads);
         }
@@ -87,9 +88,9 @@ impl Vehicle {
         for &(station, before) in &self.order {
             let Some(&load) = loads.get(station) else { return Err(VehicleError::NoWheels) };
             let depth = before.map_or(0.0, |before| pressed[before]);
-            let wheel = match told[station] {
+            let wheel = match told.wheels[station] {
                 Some(wheel) => wheel,
-                None => self.turned(station, slip, load, depth)?,
+                None => self.turned(station, slip, (load, depth), told.consent)?,
             };
             pressed[station] = depth.max(wheel.sinkage);
             found[station] = Some(wheel);
@@ -113,8 +114,15 @@ impl Vehicle {
         }
     }
 
-    /// A wheel of a station, in a rut that was pressed down to `pressed` (m), or in none.
-    pub(super) fn wheel(&self, station: usize, slip: Slip, load: f64, pressed: f64) -> Result<VehicleWheel, Error> {
+    /// A wheel of a station under a load, in a rut that was pressed down to `pressed` (m), or in none.
+    pub(super) fn wheel(
+        &self,
+        station: usize,
+        slip: Slip,
+        (load, pressed): (f64, f64),
+        consent: &Consent<'_>,
+    ) -> Result<VehicleWheel, Error> {
+        consent.ask()?;
         let of = &self.params.stations[station];
         let travel_per_turn = of.system.contact.circles().travel_per_turn(&of.system.wheel, slip);
         match self.params.unloading {

@@ -59,6 +59,8 @@ pub enum VehicleError {
         /// How it lies to the pulls of all other slips.
         nearest: Nearest,
     },
+    /// The caller does not want the result any more.
+    Stopped,
     /// The model refuses a wheel.
     Wheel {
         /// Index of its station.
@@ -115,6 +117,7 @@ impl fmt::Display for VehicleError {
                 Digits(reached),
                 Digits(slip)
             ),
+            Self::Stopped => write!(f, "the computation was stopped"),
             Self::Wheel { station, error } => write!(f, "wheel of station {station}: {error}"),
         }
     }

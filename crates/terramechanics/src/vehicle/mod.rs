@@ -18,6 +18,7 @@
 //! all motion across the slope.
 
 mod command;
+mod consent;
 mod drive;
 mod error;
 mod loads;
@@ -31,14 +32,19 @@ pub use error::VehicleError;
 pub use rut::Unloading;
 pub use slope::{LargestSlope, OnSlope, SlopeLimit};
 
+use consent::Consent;
+
 use crate::braking::Braking;
 use crate::fault::InvalidInput;
 use crate::forces::{ForceModel, Method};
 use crate::parameter::{Parameter, Presence, Requirement};
 use crate::rolling::WheelOnSoil;
 
-/// Wheels of stations that turn as they are told whatever the others do.
-type Told = Vec<Option<VehicleWheel>>;
+/// Wheels of stations that turn as they are told whatever the others do, and whether the caller still wants the result.
+struct Told<'a> {
+    wheels: Vec<Option<VehicleWheel>>,
+    consent: &'a Consent<'a>,
+}
 
 /// Wheels that stand side by side under equal loads.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! At which slip does a rover climb a slope, and which slope is the largest?
 
-use super::{Driven, Told, Vehicle, VehicleError};
+use super::{Consent, Driven, Told, Vehicle, VehicleError};
 use crate::numerics::brent::{Sample, bracketed_root};
 use crate::slip::Slip;
 use crate::slip_search::{Searched, largest_pull, slip_of_pull};
@@ -55,10 +55,23 @@ impl Vehicle {
     /// [`VehicleError::Invalid`] for a value out of range; [`VehicleError::Lifted`]; [`VehicleError::NotClimbed`] with the pull that
     /// comes nearest where no slip from −1 to 1 gives the pull; [`VehicleError::Wheel`] where a wheel has no answer at any slip.
     pub fn on_slope(&self, slope: f64, hitch_pull: f64) -> Result<OnSlope, VehicleError> {
+        self.on_slope_while(slope, hitch_pull, &|| true)
+    }
+
+    /// The same for as long as `go_on` says yes. It is asked before each wheel that is computed.
+    ///
+    /// # Errors
+    /// As [`Vehicle::on_slope`]; [`VehicleError::Stopped`].
+    pub fn on_slope_while(&self, slope: f64, hitch_pull: f64, go_on: &dyn Fn() -> bool) -> Result<OnSlope, VehicleError> {
+        let consent = Consent::new(go_on);
+        consent.kept(self.on_slope_by(&consent, slope, hitch_pull))
+    }
+
+    fn on_slope_by(&self, consent: &Consent<'_>, slope: f64, hitch_pull: f64) -> Result<OnSlope, VehicleError> {
         let hitch_pull = Self::HITCH_PULL.check(hitch_pull).map_err(VehicleError::Invalid)?;
         let loads = self.loads(slope, hitch_pull)?;
         let needed = self.needed_pull(slope, hitch_pull);
-        let told = self.told(&loads)?;
+        let told = self.told(&loads, consent)?;
         let mut refusal = None;
         let found = slip_of_pull(|slip| self.pull(&told, slip, &loads, &mut refusal), needed, (-1.0, 1.0));
         match found.map_err(|error| refusal.unwrap_or(VehicleError::Wheel { station: 0, error }))? {
@@ -77,10 +90,28 @@ impl Vehicle {
     /// # Errors
     /// [`VehicleError::Invalid`] for a value out of range; what ends the climb on every slope that is tried.
     pub fn largest_slope(&self, hitch_pull: f64, slip_limit: f64) -> Result<LargestSlope, VehicleError> {
+        self.largest_slope_while(hitch_pull, slip_limit, &|| true)
+    }
+
+    /// The same for as long as `go_on` says yes. It is asked before each wheel that is computed.
+    ///
+    /// # Errors
+    /// As [`Vehicle::largest_slope`]; [`VehicleError::Stopped`].
+    pub fn largest_slope_while(
+        &self,
+        hitch_pull: f64,
+        slip_limit: f64,
+        go_on: &dyn Fn() -> bool,
+    ) -> Result<LargestSlope, VehicleError> {
+        let consent = Consent::new(go_on);
+        consent.kept(self.largest_slope_by(&consent, hitch_pull, slip_limit))
+    }
+
+    fn largest_slope_by(&self, consent: &Consent<'_>, hitch_pull: f64, slip_limit: f64) -> Result<LargestSlope, VehicleError> {
         let hitch_pull = Self::HITCH_PULL.check(hitch_pull).map_err(VehicleError::Invalid)?;
         let slip_limit = Self::SLIP_LIMIT.check(slip_limit).map_err(VehicleError::Invalid)?;
         let steepest = Self::SLOPE.most;
-        let trial = |slope: f64| self.spare_pull(slope, hitch_pull, slip_limit);
+        let trial = |slope: f64| self.spare_pull(consent, (slope, hitch_pull), slip_limit);
         let is_climbed = |trial: &Trial| trial.is_ok_and(|sample| sample.y >= 0.0);
         let mut here = trial(0.0);
         let mut slope = 0.0;
@@ -141,9 +172,9 @@ impl Vehicle {
     }
 
     /// The slope with the largest pull at slips from 0 to the limit, less the pull that is needed there.
-    fn spare_pull(&self, slope: f64, hitch_pull: f64, slip_limit: f64) -> Trial {
+    fn spare_pull(&self, consent: &Consent<'_>, (slope, hitch_pull): (f64, f64), slip_limit: f64) -> Trial {
         let loads = self.loads(slope, hitch_pull)?;
-        let told = self.told(&loads)?;
+        let told = self.told(&loads, consent)?;
         let mut refusal = None;
         let largest = largest_pull(|slip| self.pull(&told, slip, &loads, &mut refusal), slip_limit);
         let largest = largest.map_err(|error| refusal.unwrap_or(VehicleError::Wheel { station: 0, error }))?;
@@ -153,7 +184,7 @@ impl Vehicle {
     /// Σ F_x (N) at a slip; the first refusal of a wheel is kept.
     fn pull(
         &self,
-        told: &Told,
+        told: &Told<'_>,
         slip: f64,
         loads: &[f64],
         refusal: &mut Option<VehicleError>,

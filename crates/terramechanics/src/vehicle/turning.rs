@@ -4,7 +4,7 @@
 //! among them: the wheel that holds least torque T at that slip has it, and every other slips less, by as much as its T_i(s_i) = T asks.
 //! So a limit of the slip holds for all of them, and the torques stay equal on wheels of different loads and soils.
 
-use super::{Driven, Told, Turning, Vehicle, VehicleError, VehicleWheel};
+use super::{Consent, Driven, Told, Turning, Vehicle, VehicleError, VehicleWheel};
 use crate::error::Error;
 use crate::numerics::brent::{Sample, bracketed_root};
 use crate::slip::Slip;
@@ -21,44 +21,52 @@ const LARGEST_MISS: f64 = 1e-6;
 
 impl Vehicle {
     /// The wheels that are told how to turn, under these loads (N). In ruts they depend on those before, and are left out here.
-    pub(super) fn told(&self, loads: &[f64]) -> Result<Told, VehicleError> {
+    pub(super) fn told<'a>(&self, loads: &[f64], consent: &'a Consent<'a>) -> Result<Told<'a>, VehicleError> {
         let params = self.params();
         let wheel = |(station, &load): (usize, &f64)| match params.stations.get(station).map(|of| of.turning) {
             Some(Turning::AtSlip(_) | Turning::UnderTorque(_)) if params.unloading.is_none() => {
-                self.turned(station, Slip::ROLLING, load, 0.0).map(Some)
+                self.turned(station, Slip::ROLLING, (load, 0.0), consent).map(Some)
             }
             _ => Ok(None),
         };
         if loads.len() < params.stations.len() {
             return Err(VehicleError::NoWheels);
         }
-        loads.iter().enumerate().map(wheel).collect()
+        let wheels = loads.iter().enumerate().map(wheel).collect::<Result<_, _>>()?;
+        Ok(Told { wheels, consent })
     }
 
     /// A wheel of each station at equal torques of those that turn together, the largest of whose slips is `largest`.
-    pub(super) fn at_equal_torque(&self, told: &Told, largest: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
+    pub(super) fn at_equal_torque(&self, told: &Told<'_>, largest: Slip, loads: &[f64]) -> Result<Driven, VehicleError> {
         let stations = &self.params().stations;
         let turns_together = |station: usize| stations[station].turning == Turning::Together;
         let mut wheels = Vec::with_capacity(stations.len());
         for (station, &load) in loads.iter().enumerate() {
-            wheels.push(match told[station] {
+            wheels.push(match told.wheels[station] {
                 Some(wheel) => wheel,
-                None => self.turned(station, largest, load, 0.0)?,
+                None => self.turned(station, largest, (load, 0.0), told.consent)?,
             });
         }
         let torques = wheels.iter().enumerate().filter(|(station, _)| turns_together(*station));
         let torque = torques.map(|(_, wheel)| wheel.forces.torque).fold(f64::INFINITY, f64::min);
-        for (station, &load) in loads.iter().enumerate() {
-            if turns_together(station) && wheels[station].forces.torque > torque {
-                wheels[station] = self.with_less_slip(station, torque, wheels[station], load)?;
+        for (station, wheel) in wheels.iter_mut().enumerate() {
+            if turns_together(station) && wheel.forces.torque > torque {
+                *wheel = self.with_less_slip(station, torque, *wheel, told.consent)?;
             }
         }
         Ok(self.driven(largest, wheels))
     }
 
-    /// A wheel of a station that turns as it should where those that turn together have the slip `together`.
-    pub(super) fn turned(&self, station: usize, together: Slip, load: f64, pressed: f64) -> Result<VehicleWheel, VehicleError> {
-        let at = |slip: Slip| self.wheel(station, slip, load, pressed);
+    /// A wheel of a station that turns as it should where those that turn together have the slip `together`, under a load (N) and in a
+    /// rut that was pressed down so far (m).
+    pub(super) fn turned(
+        &self,
+        station: usize,
+        together: Slip,
+        pressing: (f64, f64),
+        consent: &Consent<'_>,
+    ) -> Result<VehicleWheel, VehicleError> {
+        let at = |slip: Slip| self.wheel(station, slip, pressing, consent);
         let of_station = |error| VehicleError::Wheel { station, error };
         match self.params().stations[station].turning {
             Turning::Together => at(together).map_err(of_station),
@@ -76,8 +84,14 @@ impl Vehicle {
     }
 
     /// The wheel of a station that holds `torque` (N·m), less than at the slip of `wheel`.
-    fn with_less_slip(&self, station: usize, torque: f64, wheel: VehicleWheel, load: f64) -> Result<VehicleWheel, VehicleError> {
-        let at = |slip: f64| Slip::new(slip).and_then(|slip| self.wheel(station, slip, load, 0.0));
+    fn with_less_slip(
+        &self,
+        station: usize,
+        torque: f64,
+        wheel: VehicleWheel,
+        consent: &Consent<'_>,
+    ) -> Result<VehicleWheel, VehicleError> {
+        let at = |slip: f64| Slip::new(slip).and_then(|slip| self.wheel(station, slip, (wheel.load, 0.0), consent));
         let excess = |slip: f64| Ok::<f64, Error>(at(slip)?.forces.torque - torque);
         let of_station = |error| VehicleError::Wheel { station, error };
         let mut above = Sample { x: wheel.slip.ratio(), y: wheel.forces.torque - torque };

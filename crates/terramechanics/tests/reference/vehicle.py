@@ -19,7 +19,7 @@ from mpmath import mp, mpf
 
 from reference import Failure, Wheel, gauss_legendre
 
-mp.dps = 26
+mp.dps = 34
 AGREEMENT = mpf(10) ** -14
 RULES = [[((1 + x) / 2, weight / 2) for x, weight in gauss_legendre(order)] for order in (20, 26)]
 
@@ -63,6 +63,12 @@ CASES = {
     "rear rolls freely, the others at equal torques": {
         "stations": own({}, {}, {"torque_n_m": 0.0}), "drive": "equal_torque",
     },
+    "rear locked, downhill": {"stations": own({}, {}, {"slip": -1.0}), "slope_rad": -0.25},
+    "rear locked, the others at equal torques, downhill": {
+        "stations": own({}, {}, {"slip": -1.0}), "drive": "equal_torque", "slope_rad": -0.25,
+    },
+    "middle locked, steep downhill": {"stations": own({}, {"slip": -1.0}, {}), "slope_rad": -0.45},
+    "largest slope with the rear locked": {"stations": own({}, {}, {"slip": -1.0}), "slope_rad": None, "slip_limit": 0.6},
     "largest slope at equal torques": {"drive": "equal_torque", "slope_rad": None, "slip_limit": 0.6},
     "largest slope at one slip, pull at a high hitch": {
         "slope_rad": None, "slip_limit": 0.5, "hitch_pull_n": 1.0, "hitch_height_m": 0.3,

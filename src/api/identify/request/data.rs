@@ -27,6 +27,11 @@ const COLUMNS: [Field<Numbers>; 4] = [
     column("normal_force_n", "Normal force F_z (N); greater than 0 where it is the load.", measured("N")),
     column("torque_n_m", "Torque T (N·m).", measured("N.m")),
 ];
+pub(super) const LOAD: Field<Numbers> = column(
+    "normal_load_n",
+    "Load W (N) that is known beside `sinkage_m`, in place of `normal_force_n`: it takes the place of the sinkage modulus, so that the closed forms need no pressure–sinkage law.",
+    Number::new("N", 1e-9, LARGEST),
+);
 pub(super) const SINKAGE: Field<Numbers> = COLUMNS[0];
 pub(super) const NORMAL: Field<Numbers> = COLUMNS[2];
 
@@ -48,8 +53,8 @@ const DEVIATIONS: [Field<OneOf>; 4] = [
 
 const DATA_OBJECT: Object = Object {
     name: "FitData",
-    doc: "Measurements as columns of one length. With `sinkage_m` the forces are predicted at the measured slip and sinkage; without it `normal_force_n` is the load, for which the sinkage is solved.",
-    groups: &[&[&SLIP], &[&COLUMNS[0], &COLUMNS[1], &COLUMNS[2], &COLUMNS[3]]],
+    doc: "Measurements as columns of one length. With `sinkage_m` the forces are predicted at the measured slip and sinkage; without it `normal_force_n` is the load, for which the sinkage is solved. With `sinkage_m` and `normal_load_n` both are known.",
+    groups: &[&[&SLIP], &[&COLUMNS[0], &COLUMNS[1], &COLUMNS[2], &COLUMNS[3], &LOAD]],
 };
 pub(super) const DATA: Field<&Object> = Field::required("data", "What was measured.", &DATA_OBJECT);
 const DEVIATIONS_OBJECT: Object = Object {
@@ -78,9 +83,10 @@ pub(crate) fn column_name(quantity: Quantity) -> &'static str {
 pub(super) fn read(data: &Reader<'_>, deviations: Option<&Reader<'_>>, wheel: Option<&Wheel>) -> Option<Observations> {
     let slip = data.required(&SLIP);
     let columns = COLUMNS.each_ref().map(|field| data.optional(field));
+    let load = data.optional(&LOAD);
     let slip = slip?;
-    let mut is_whole = true;
-    for (field, column) in COLUMNS.iter().zip(&columns) {
+    let mut is_whole = load_stands_alone(data);
+    for (field, column) in COLUMNS.iter().chain([&LOAD]).zip(columns.iter().chain([&load])) {
         let Some(column) = column else {
             is_whole = false;
             continue;
@@ -104,6 +110,7 @@ pub(super) fn read(data: &Reader<'_>, deviations: Option<&Reader<'_>>, wheel: Op
         return None;
     }
     let [sinkage, longitudinal, normal, torque] = columns;
+    let normal = normal.or(load.flatten());
     let mut with =
         |i: usize, values: Option<&[f64]>| values.map(|values| Column { values: values.to_vec(), deviation: stated[i].take() });
     Some(Observations {
@@ -113,6 +120,19 @@ pub(super) fn read(data: &Reader<'_>, deviations: Option<&Reader<'_>>, wheel: Op
         normal: with(2, normal),
         torque: with(3, torque),
     })
+}
+
+/// Whether a load that is known stands beside a sinkage, and beside no normal force.
+fn load_stands_alone(data: &Reader<'_>) -> bool {
+    if data.has(&LOAD) && data.has(&NORMAL) {
+        data.place_of(&LOAD).fault("stands in place of `normal_force_n`; give one of them");
+        return false;
+    }
+    if data.has(&LOAD) && !data.has(&SINKAGE) {
+        data.place_of(&LOAD).fault("needs `sinkage_m` beside it; a load for which the sinkage is solved is `normal_force_n`");
+        return false;
+    }
+    true
 }
 
 /// Whether no sinkage is beyond the wheel; the first that is, is reported.

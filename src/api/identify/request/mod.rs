@@ -232,7 +232,10 @@ pub(crate) fn fit_fault(error: &FitError, source: &SinkageSource) -> FieldFault 
 /// The field to which a refusal of the model at one row belongs.
 pub(crate) fn refusal_pointer(row: usize, error: &Error, source: &SinkageSource) -> String {
     match error {
-        Error::SinkageOutsideWheel { .. } if *source == SinkageSource::Measured => format!("/data/sinkage_m/{row}"),
+        Error::SinkageOutsideWheel { .. } if matches!(source, SinkageSource::Measured | SinkageSource::UnderLoad) => {
+            format!("/data/sinkage_m/{row}")
+        }
+        Error::LoadNotCoupled { .. } if *source == SinkageSource::UnderLoad => format!("/data/normal_load_n/{row}"),
         Error::LoadBeyondCapacity { .. } | Error::LoadNotBalanced { .. } | Error::LoadNotCoupled { .. } => {
             format!("/data/normal_force_n/{row}")
         }

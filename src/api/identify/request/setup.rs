@@ -1,10 +1,10 @@
 //! The forward model of a fit: what is known of it, and the starts of what is fitted.
 
-use terramechanics::{Contact, ContactParams, ForceModel, PeakRule, SlipSinkage, SoilParams, Wheel, WongReece};
+use terramechanics::{Contact, ContactParams, ForceModel, Method, PeakRule, SlipSinkage, Soil, SoilParams, Wheel, WongReece};
 use terramechanics_identification::{Home, Setup, SinkageSource, Unknown};
 use terramechanics_reading::Reader;
 
-use super::data::{DATA, NORMAL, SINKAGE};
+use super::data::{DATA, LOAD, NORMAL, SINKAGE};
 use super::{PARTIAL_SOIL, SLIP_SINKAGE_OF_FIT};
 use crate::request::circles;
 use crate::request::fitted_law;
@@ -45,13 +45,21 @@ pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reade
         let unknown = sought.fitted.iter().copied().find(|&unknown| unknown.name() == name)?;
         Some(sought.start(unknown))
     };
-    let needs = Needs { pressure_sinkage: sought.needs_law, fitted: &start_of, ..Needs::ALL };
-    let wheel = system::read_wheel(object);
-    let soil = read_soil(object, sought, needs);
-    let contact = system::read_contact(object, soil.as_ref(), circles::read(object), needs);
     let peak_depth = object.optional(&PEAK_SINKAGE);
-    let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
     let method = method::read_fitted(object, peak_depth.flatten());
+    // Under a load that is known the closed forms take nothing of the law.
+    let cancels = data.is_some_and(|data| data.has(&LOAD)) && method.is_some_and(|method| method.is_closed_form());
+    let by_grains = method == Some(Method::ResistiveForce);
+    let needs = if by_grains {
+        Needs { fitted: &start_of, ..Needs::GRAINS }
+    } else {
+        Needs { pressure_sinkage: sought.needs_law && !cancels, fitted: &start_of, ..Needs::ALL }
+    };
+    let wheel = system::read_wheel(object);
+    let lacking = if by_grains { lacking_of_grains(sought) } else { lacking(sought, cancels) };
+    let soil = read_soil(object, &lacking, needs);
+    let contact = system::read_contact(object, soil.as_ref(), circles::read(object), needs);
+    let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
     let source = sinkage_source(object, sought, data);
     let setup = || {
         peak_depth?;
@@ -67,8 +75,7 @@ pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reade
 }
 
 /// The soil; one of which nothing is said has to be fitted as a whole.
-fn read_soil(object: &Reader<'_>, sought: &Sought<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
-    let lacking = lacking(sought);
+fn read_soil(object: &Reader<'_>, lacking: &[String], needs: Needs<'_>) -> Option<FoundSoil> {
     if !object.has(&PARTIAL_SOIL) && !lacking.is_empty() {
         let lacking = lacking.join(", ");
         let place = object.place_of(&PARTIAL_SOIL);
@@ -118,7 +125,13 @@ fn sinkage_source(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader
     }
     let data = data?;
     if is_static {
+        if data.has(&LOAD) {
+            data.place_of(&LOAD).fault("is not taken beside a static sinkage that is fitted; give it as `normal_force_n`");
+            return None;
+        }
         Some(SinkageSource::Static { static_sinkage: sought.start(Unknown::STATIC_SINKAGE), law: law? })
+    } else if data.has(&LOAD) {
+        Some(SinkageSource::UnderLoad)
     } else if data.has(&SINKAGE) {
         Some(SinkageSource::Measured)
     } else if data.has(&NORMAL) {
@@ -129,11 +142,23 @@ fn sinkage_source(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reader
     }
 }
 
-/// What a soil has besides the parameters.
-fn lacking(sought: &Sought<'_>) -> Vec<String> {
+/// What dry grains have besides the parameters.
+fn lacking_of_grains(sought: &Sought<'_>) -> Vec<String> {
+    if sought.has(Unknown::GRANULAR_STIFFNESS) {
+        return Vec::new();
+    }
+    let friction = Some(Unknown::FRICTION_ANGLE.name()).filter(|_| !sought.has(Unknown::FRICTION_ANGLE));
+    friction.into_iter().chain([Soil::BULK_DENSITY.name]).map(str::to_owned).collect()
+}
+
+/// What a soil has besides the parameters, of a law that `cancels` nothing.
+fn lacking(sought: &Sought<'_>, cancels: bool) -> Vec<String> {
     use Unknown as U;
     let alone = [U::COHESION, U::FRICTION_ANGLE, U::SHEAR_MODULUS, U::BASE_EXPONENT];
-    let alone = alone.into_iter().filter(|&unknown| !sought.has(unknown)).map(|unknown| unknown.name().to_owned());
+    let alone = alone
+        .into_iter()
+        .filter(|&unknown| !(sought.has(unknown) || cancels && unknown == U::BASE_EXPONENT))
+        .map(|unknown| unknown.name().to_owned());
     let is_fitted = |name: &str| sought.fitted.iter().any(|unknown| unknown.name() == name);
-    alone.chain(fitted_law::lacking(is_fitted)).collect()
+    alone.chain(fitted_law::lacking(is_fitted).filter(|_| !cancels)).collect()
 }

@@ -76,12 +76,12 @@ impl GridCase {
     ///
     /// # Errors
     /// [`Problem::Invalid`] where it may not.
-    pub(super) fn fits_in_columns(&self) -> Result<(), Problem> {
+    pub(crate) fn fits_in_columns(&self) -> Result<(), Problem> {
         if self.len() <= MOST_IN_COLUMNS {
             return Ok(());
         }
         let detail = format!(
-            "make {} points; an answer in JSON has at most {MOST_IN_COLUMNS} rows; accept text/csv or application/x-ndjson",
+            "make {} points; an answer in JSON has at most {MOST_IN_COLUMNS} rows; accept text/csv, application/x-ndjson or application/vnd.apache.arrow.stream",
             self.len()
         );
         Err(Problem::Invalid(vec![FieldFault::new(format!("/{}", axes::AXES.name), detail)]))

@@ -2,11 +2,12 @@
 
 use terramechanics_reading::{Field, Label, Node, Object, Objects, Path, Reader};
 use terramechanics_uncertainty::{
-    Bounds, Correlation, CorrelationError, Distribution, InputError, Inputs, Joint, MOST_COLUMNS, Marginal, Source,
+    Bounds, Correlation, CorrelationError, Distribution, InputError, Inputs, Joint, MOST_COLUMNS, MOST_SOURCES, Marginal, Source,
 };
 
 use super::distribution::{self, FORM, Given, PARAMETERS};
 use super::matrix::Matrix;
+use super::posterior::{self, POSTERIOR};
 use crate::catalogue::{self, Spread};
 use crate::varied::varied_field;
 
@@ -25,7 +26,7 @@ const INPUT: Object = Object {
 };
 pub(super) const INPUTS: Field<Objects> = Field::new(
     "inputs",
-    "The fields that are uncertain; with a `spread` of the soil there may be none.",
+    "The fields that are uncertain; with a `posterior`, or a `spread` of the soil, there may be none.",
     Objects { object: &INPUT, fewest: 0, most: MOST_INPUTS },
 );
 pub(super) const CORRELATION: Field<Matrix> = Field::new(
@@ -50,6 +51,8 @@ pub(crate) struct UncertainField {
 pub(crate) enum Origin {
     /// From that place among the inputs of the request.
     Request(usize),
+    /// From that place among the estimates of the posterior.
+    Posterior(usize),
     Catalogue {
         reason: String,
         soils: Vec<&'static str>,
@@ -61,6 +64,8 @@ pub(crate) enum Origin {
 pub(super) struct Uncertain {
     pub(super) fields: Vec<UncertainField>,
     sources: Vec<Source>,
+    /// Of the fields of the posterior, in their order.
+    posterior: Vec<Vec<f64>>,
 }
 
 /// One input that was read.
@@ -73,8 +78,21 @@ struct Read {
 impl Uncertain {
     /// The inputs that a client sends for fields that `request` declares, of which `tree` is one.
     pub(super) fn read(object: &Reader<'_>, request: &'static Object, tree: Option<&Node<'_>>) -> Option<Self> {
-        let Some(items) = object.optional(&INPUTS)? else { return Some(Self::default()) };
         let mut found = Self::default();
+        let inputs = found.read_inputs(object, request, tree);
+        let posterior = posterior::read(object, request);
+        inputs?;
+        if let Some(posterior) = posterior? {
+            for (place, (path, marginal)) in posterior.parameters.into_iter().enumerate() {
+                found.push(path, Origin::Posterior(place), Source::One(marginal));
+            }
+            found.posterior = posterior.correlation;
+        }
+        Some(found)
+    }
+
+    fn read_inputs(&mut self, object: &Reader<'_>, request: &'static Object, tree: Option<&Node<'_>>) -> Option<()> {
+        let Some(items) = object.optional(&INPUTS)? else { return Some(()) };
         let mut joint = Vec::new();
         let read = items.each(|input, i| {
             let Read { path, given, bounds } = read_one(input, request, tree)?;
@@ -82,7 +100,7 @@ impl Uncertain {
                 Given::One(distribution) => {
                     let marginal =
                         Marginal::new(distribution, bounds).map_err(|error| distribution::report(input, error)).ok()?;
-                    found.push(path, i, Source::One(marginal));
+                    self.push(path, Origin::Request(i), Source::One(marginal));
                 }
                 Given::Samples(values) => {
                     if joint.first().is_some_and(|(_, _, first): &(_, _, Vec<f64>)| first.len() != values.len()) {
@@ -96,20 +114,19 @@ impl Uncertain {
         });
         read?;
         if !joint.is_empty() {
-            let source = found.sources.len();
+            let source = self.sources.len();
             let mut columns = Vec::with_capacity(joint.len());
             for (column, (path, place, values)) in joint.into_iter().enumerate() {
-                found.fields.push(UncertainField { path, source, column, origin: Origin::Request(place) });
+                self.fields.push(UncertainField { path, source, column, origin: Origin::Request(place) });
                 columns.push(values);
             }
             // Their number and lengths were checked as they were read.
-            found.sources.push(Source::Joint(Joint::new(columns).ok()?));
+            self.sources.push(Source::Joint(Joint::new(columns).ok()?));
         }
-        Some(found)
+        Some(())
     }
 
-    fn push(&mut self, path: Path, place: usize, source: Source) {
-        let origin = Origin::Request(place);
+    fn push(&mut self, path: Path, origin: Origin, source: Source) {
         self.fields.push(UncertainField { path, source: self.sources.len(), column: 0, origin });
         self.sources.push(source);
     }
@@ -144,22 +161,50 @@ impl Uncertain {
         Some(())
     }
 
-    /// The inputs of a design, with the correlation that a client sends.
+    /// The inputs of a design, with the correlations that a client sends.
     pub(super) fn inputs(&self, object: &Reader<'_>) -> Option<Inputs> {
         let matrix = object.optional(&CORRELATION)?;
+        if self.sources.len() > MOST_SOURCES {
+            let detail =
+                format_args!("makes {} independent sources with the others; there may be {MOST_SOURCES}", self.sources.len());
+            object.place_of(&POSTERIOR).fault(detail);
+            return None;
+        }
         let inputs = Inputs::new(self.sources.clone()).ok()?;
-        let Some(matrix) = matrix else { return Some(inputs) };
+        if matrix.is_none() && self.posterior.is_empty() {
+            return Some(inputs);
+        }
+        // That of a posterior was checked by itself, and both together are sound where each is.
         let place = object.place_of(&CORRELATION);
-        let of_sources = self.of_sources(&matrix).map_err(|error| place.fault(error)).ok()?;
+        let mut of_sources = match matrix {
+            Some(matrix) => self.of_sources(&matrix).map_err(|error| place.fault(error)).ok()?,
+            None => self.uncorrelated(),
+        };
+        let places = self.fields.iter().filter_map(|field| match field.origin {
+            Origin::Posterior(place) => Some((place, field.source)),
+            Origin::Request(_) | Origin::Catalogue { .. } => None,
+        });
+        let places: Vec<(usize, usize)> = places.collect();
+        for &(row, one) in &places {
+            for &(column, other) in &places {
+                of_sources[one][other] = self.posterior[row][column];
+            }
+        }
         let correlated = Correlation::new(of_sources).and_then(|correlation| inputs.correlated(correlation));
         correlated.map_err(|error| place.fault(error)).ok()
+    }
+
+    /// The matrix of sources without correlation.
+    fn uncorrelated(&self) -> Vec<Vec<f64>> {
+        let count = self.sources.len();
+        (0..count).map(|row| (0..count).map(|column| f64::from(u8::from(row == column))).collect()).collect()
     }
 
     /// The matrix of the inputs of a request as one of the sources: joint samples are one source, and what spreads is independent.
     fn of_sources(&self, matrix: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, CorrelationError> {
         let sent = |field: &UncertainField| match field.origin {
             Origin::Request(place) => Some(place),
-            Origin::Catalogue { .. } => None,
+            Origin::Posterior(_) | Origin::Catalogue { .. } => None,
         };
         let count = self.fields.iter().filter_map(sent).count();
         if matrix.len() != count || matrix.iter().any(|row| row.len() != count) {
@@ -167,10 +212,7 @@ impl Uncertain {
         }
         Correlation::new(matrix.to_vec())?;
         let is_joint = |source: usize| matches!(self.sources[source], Source::Joint(_));
-        let mut found = vec![vec![0.0; self.sources.len()]; self.sources.len()];
-        for (source, row) in found.iter_mut().enumerate() {
-            row[source] = 1.0;
-        }
+        let mut found = self.uncorrelated();
         for one in &self.fields {
             for other in &self.fields {
                 let (Some(row), Some(column)) = (sent(one), sent(other)) else { continue };

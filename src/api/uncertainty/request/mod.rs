@@ -5,6 +5,7 @@ mod conditions;
 mod distribution;
 mod inputs;
 mod matrix;
+mod posterior;
 
 use terramechanics_reading::{Field, Flag, Label, Number, Object, Path, Reader, Word};
 use terramechanics_uncertainty::{Design, LEAST_SAMPLES, MOST_SEED};
@@ -99,6 +100,7 @@ impl Request for UncertaintyCase {
             &REQUEST,
             &inputs::INPUTS,
             &inputs::CORRELATION,
+            &posterior::POSTERIOR,
             &AXIS,
             &SAMPLES,
             &SEED,
@@ -141,7 +143,9 @@ fn uncertainty<R: Varied>(object: &Reader<'_>) -> Option<Uncertainty<R>> {
     if uncertain.is_empty() {
         match held.first() {
             Some(first) => fault_of_spread(&object.place_of(&REQUEST), &format!("has nothing to take: {}", first.reason)),
-            None => object.place_of(&inputs::INPUTS).fault("must have a field that is uncertain, unless the soil has a `spread`"),
+            None => object
+                .place_of(&inputs::INPUTS)
+                .fault("must have a field that is uncertain, unless there is a `posterior` or the soil has a `spread`"),
         }
         return None;
     }
@@ -242,6 +246,9 @@ fn template<R: Varied>(
         let detail = &fault.fault.detail;
         match fault.field.map(|at| uncertain.fields.get(at)) {
             Some(Some(UncertainField { origin: Origin::Request(place), .. })) => inputs::fault_of_field(object, *place, detail),
+            Some(Some(UncertainField { origin: Origin::Posterior(estimate), .. })) => {
+                posterior::fault_of_parameter(object, *estimate, detail);
+            }
             Some(Some(_)) => fault_of_spread(&object.place_of(&REQUEST), &format!("`{}` {detail}", fault.fault.pointer)),
             Some(None) => object.place_of(&AXIS).field(axes::FIELD.name).fault(detail),
             None => object.place_of(&REQUEST).pass_on(fault.fault),

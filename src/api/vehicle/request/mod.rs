@@ -125,6 +125,7 @@ fn report(object: &Reader<'_>, error: &VehicleError) {
         VehicleError::HitchWithoutStatics => object.place_of(&HITCH_HEIGHT),
         VehicleError::Invalid(_) => object.place_of(&GRAVITY),
         VehicleError::Lifted { .. }
+        | VehicleError::Stopped
         | VehicleError::NotClimbed { .. }
         | VehicleError::TorqueNotHeld { .. }
         | VehicleError::Wheel { .. } => {

@@ -5,7 +5,7 @@
 //! (see [`SinkageRatio`](super::SinkageRatio)). No departures; the paper was not read.
 
 use crate::law::Declared;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, DING_2015};
 

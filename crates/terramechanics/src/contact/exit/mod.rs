@@ -7,7 +7,7 @@ pub use angle_ratio::AngleRatio;
 pub use sinkage_ratio::SinkageRatio;
 
 use crate::law::family;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 
 family! {
     /// Rule for the exit angle θ2.

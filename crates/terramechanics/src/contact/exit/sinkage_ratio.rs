@@ -7,7 +7,7 @@
 
 use crate::contact::angle_at_depth;
 use crate::law::Declared;
-use crate::numerics::lanes::Number;
+use crate::numerics::elementary::Number;
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::sources::{Citation, ISHIGAMI};
 

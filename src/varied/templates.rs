@@ -2,20 +2,22 @@
 
 use std::collections::HashMap;
 
-use terramechanics_reading::{FieldFault, Path};
+use terramechanics_reading::{Assumption, Blocked, FieldFault, Node, Path};
 
-use super::plan::Plan;
-use crate::api::forces::ForcesCase;
+use super::faults::RowFault;
+use super::row::Varied;
+use super::template::Template;
 use crate::rows::{Block, Shape};
-use crate::varied::Template;
 
 /// Templates that are kept; rows of more kinds are read all the same.
 const MOST: usize = 64;
 
+/// Values that are told as assumed.
+const MOST_ASSUMED: usize = 100;
+
 /// A template for all rows that have the same fields and the same words.
-#[derive(Default)]
-pub(super) struct Templates {
-    pub(super) list: Vec<Template<ForcesCase>>,
+pub(crate) struct Templates<R> {
+    list: Vec<Template<R>>,
     /// Their places by fields and words.
     places: HashMap<String, usize>,
     /// The same by the places of the words in the block under way.
@@ -23,10 +25,12 @@ pub(super) struct Templates {
     key: Vec<u64>,
     /// The last row without words, and its template: most rows are like the one before.
     last: Option<(Shape, usize)>,
+    /// The numbers of a row.
+    values: Vec<f64>,
 }
 
 /// The places of the bits that are set.
-pub(super) fn bits(mut set: u64) -> impl Iterator<Item = usize> {
+fn bits(mut set: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lowest = (set != 0).then(|| set.trailing_zeros() as usize);
         set &= set.wrapping_sub(1);
@@ -34,10 +38,17 @@ pub(super) fn bits(mut set: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-impl Templates {
+impl<R> Default for Templates<R> {
+    fn default() -> Self {
+        let (places, of_block) = (HashMap::new(), HashMap::new());
+        Self { list: Vec::new(), places, of_block, key: Vec::new(), last: None, values: Vec::new() }
+    }
+}
+
+impl<R: Varied> Templates<R> {
     /// The place of the template for a row, if there is one.
     #[inline]
-    pub(super) fn place_of(&mut self, block: &Block, row: usize) -> Option<usize> {
+    fn place_of(&mut self, block: &Block, row: usize) -> Option<usize> {
         let shape = block.shape(row);
         if let Some((_, at)) = self.last.filter(|(known, _)| *known == shape) {
             return Some(at);
@@ -53,25 +64,53 @@ impl Templates {
     }
 
     /// Another block begins, whose words have other places.
-    pub(super) fn begin(&mut self) {
+    pub(crate) fn begin(&mut self) {
         self.of_block.clear();
         self.last = None;
     }
 
-    /// Adds the template for the row that was looked up last; its place.
-    pub(super) fn add(&mut self, plan: &Plan, block: &Block, row: usize) -> Result<usize, Vec<FieldFault>> {
+    /// The case of a row: the request in which the columns have its values. What is assumed of it goes into `told`.
+    ///
+    /// # Errors
+    /// The faults of that request.
+    pub(crate) fn case(
+        &mut self,
+        constants: &Node<'static>,
+        fields: &[Path],
+        block: &Block,
+        row: usize,
+        told: &mut Vec<Assumption>,
+    ) -> Result<&R, Vec<FieldFault>> {
+        let at = match self.place_of(block, row) {
+            Some(at) => at,
+            None => self.add(constants, fields, block, row)?,
+        };
+        let Some(template) = self.list.get_mut(at) else { return Err(Vec::new()) };
+        let Shape { present, textual } = block.shape(row);
+        self.values.clear();
+        self.values.extend(bits(present & !textual).map(|field| block.value(field, row)));
+        let (case, assumed) = template.case_and_assumed(&self.values)?;
+        for assumption in assumed {
+            if told.len() < MOST_ASSUMED && !told.contains(assumption) {
+                told.push(assumption.clone());
+            }
+        }
+        Ok(case)
+    }
+
+    /// Adds the template for the row that was looked up last; its place. All rows have `constants` in common, and their columns are
+    /// `fields`.
+    fn add(&mut self, constants: &Node<'static>, fields: &[Path], block: &Block, row: usize) -> Result<usize, Vec<FieldFault>> {
         let Shape { present, textual } = block.shape(row);
         let words: Vec<_> = bits(textual).map(|field| (field, block.node(field, row))).collect();
         let name = format!("{present} {words:?}");
         let at = match self.places.get(&name) {
             Some(at) => *at,
             None => {
-                let told =
-                    |faults: Vec<crate::varied::RowFault>| faults.into_iter().map(|of_row| of_row.fault).collect::<Vec<_>>();
-                let fields = &plan.columns.fields;
-                let mut request = plan.constants.clone();
+                let told = |faults: Vec<RowFault>| faults.into_iter().map(|of_row| of_row.fault).collect::<Vec<_>>();
+                let mut request = constants.clone();
                 for (field, word) in words {
-                    let blocked = |blocked: terramechanics_reading::Blocked| {
+                    let blocked = |blocked: Blocked| {
                         vec![FieldFault::new(
                             fields[field].pointer(),
                             format!("leads nowhere: `{}` is {}", blocked.pointer, blocked.found),

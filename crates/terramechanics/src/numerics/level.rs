@@ -1,0 +1,38 @@
+//! Which lanes does this machine have?
+//!
+//! Every level gives the same bits (`src/levels.rs`), so the choice is one of speed alone.
+
+use fearless_simd::Level;
+
+/// The best lanes of this machine; in a test those it holds to, see [`held::to`].
+#[inline]
+pub(crate) fn level() -> Level {
+    #[cfg(test)]
+    if let Some(level) = held::level() {
+        return level;
+    }
+    Level::new()
+}
+
+/// Lanes that a test holds to.
+#[cfg(test)]
+pub(crate) mod held {
+    use super::Level;
+    use std::cell::Cell;
+
+    thread_local! {
+        static HELD: Cell<Option<Level>> = const { Cell::new(None) };
+    }
+
+    pub(super) fn level() -> Option<Level> {
+        HELD.get()
+    }
+
+    /// What `f` gives with the lanes of `level`.
+    pub(crate) fn to<T>(level: Level, f: impl FnOnce() -> T) -> T {
+        HELD.set(Some(level));
+        let found = f();
+        HELD.set(None);
+        found
+    }
+}
