@@ -5,9 +5,8 @@ use std::time::Duration;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-use crate::limits::Limits;
+use crate::limits::{Begin, Limits};
 use crate::server::{Bounds, Slowest};
-use crate::stream::Begin;
 
 /// Forces of a wheel on soil, over HTTP: an API and a plotting page.
 #[derive(Debug, Parser)]
@@ -47,7 +46,7 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_LISTEN", default_value = DEFAULT_ADDRESS, value_name = "IP:PORT")]
     pub listen: SocketAddr,
 
-    /// Where clients find the service, with the path of a proxy in front, e.g. https://example.org/soil. The contract names it.
+    /// Where clients find the service, with the path of a proxy in front, e.g. `https://example.org/soil`. The contract names it.
     #[arg(long, env = "TERRAMECHANICS_PUBLIC_URL", value_parser = public_url, value_name = "URL")]
     pub public_url: Option<String>,
 

@@ -55,8 +55,7 @@ pub mod fuzzing {
 }
 
 pub use contract::Contract;
-pub use limits::Limits;
+pub use limits::{Begin, Limits};
 pub use metrics::Metrics;
 pub use router::{app, contract, layered};
 pub use state::Service;
-pub use stream::Begin;

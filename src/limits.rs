@@ -2,8 +2,21 @@
 
 use std::time::Duration;
 
+use clap::ValueEnum;
+
 use crate::compute::PoolBounds;
-use crate::stream::Begin;
+
+/// When the answer to a stream begins.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum Begin {
+    /// When the body has ended, if its length was declared or it came by a proxy; else with the first row.
+    #[default]
+    Auto,
+    /// With the first row.
+    Early,
+    /// When the body has ended.
+    AfterBody,
+}
 
 /// Threads that read and write files.
 const FILE_THREADS: usize = 4;

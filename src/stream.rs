@@ -9,7 +9,6 @@ mod outgoing;
 mod whole;
 
 pub(crate) use blocks::{BlockWork, Job, Taken, answer_in_blocks};
-pub use whole::Begin;
 pub(crate) use whole::ready;
 
 use axum::body::{Body, Bytes};

@@ -12,7 +12,6 @@ use std::task::{Context, Poll};
 use axum::body::Body;
 use axum::http::request::Parts;
 use axum::http::{HeaderMap, HeaderName, Version, header};
-use clap::ValueEnum;
 use http_body_util::{BodyDataStream, BodyExt};
 use tokio::fs::File;
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncSeekExt, AsyncWriteExt, ReadBuf};
@@ -21,20 +20,8 @@ use tokio_util::io::{ReaderStream, StreamReader};
 use super::incoming::Incoming;
 use crate::budget::{Budget, Share};
 use crate::http1::Declared;
-use crate::limits::Limits;
+use crate::limits::{Begin, Limits};
 use crate::problem::Problem;
-
-/// When the answer to a stream begins.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum Begin {
-    /// When the body has ended, if its length was declared or it came by a proxy; else with the first row.
-    #[default]
-    Auto,
-    /// With the first row.
-    Early,
-    /// When the body has ended.
-    AfterBody,
-}
 
 /// What proxies say of themselves.
 const SIGNS: [HeaderName; 6] = [

@@ -1,6 +1,6 @@
 //! Which lanes does this machine have?
 //!
-//! Every level gives the same bits (`src/levels.rs`), so the choice is one of speed alone.
+//! Every level gives the same bits (`crate::levels`), so the choice is one of speed alone.
 
 use fearless_simd::Level;
 
