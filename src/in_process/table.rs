@@ -61,8 +61,8 @@ enum Kind {
 }
 
 enum Worker {
-    Forces(ForcesRows),
-    Rovers(RoverRows),
+    Forces(Box<ForcesRows>),
+    Rovers(Box<RoverRows>),
 }
 
 impl Kind {
@@ -83,8 +83,8 @@ impl Kind {
 
     fn worker(&self) -> Worker {
         match self {
-            Self::Forces(plan) => Worker::Forces(plan.worker()),
-            Self::Rovers(plan) => Worker::Rovers(plan.worker()),
+            Self::Forces(plan) => Worker::Forces(Box::new(plan.worker())),
+            Self::Rovers(plan) => Worker::Rovers(Box::new(plan.worker())),
         }
     }
 
