@@ -44,7 +44,8 @@ fn the_forces_at_the_answer_carry_the_load_without_a_torque() {
         let forces = post("/v1/forces", &with(&letter(), point)).ok();
         assert!((number(&forces["normal_force_n"]) / 80.0 - 1.0).abs() < SOLVED);
         assert!(number(&forces["torque_n_m"]).abs() < SOLVED * 80.0 * 0.2);
-        assert_eq!(number(&forces["longitudinal_force_n"]), -number(&reply["towing_resistance_n"]));
+        let pull = number(&forces["longitudinal_force_n"]);
+        assert!((pull + number(&reply["towing_resistance_n"])).abs() < SOLVED * 80.0);
         assert_eq!(forces["angles"], reply["angles"]);
         assert!(number(&reply["slip"]) < 0.0 && number(&reply["towing_resistance_n"]) > 0.0);
     }

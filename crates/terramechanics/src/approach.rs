@@ -35,7 +35,7 @@ const TOO_CLOSE: f64 = 0.05;
 const COARSE_PASSES: u32 = 6;
 const FINE_PASSES: u32 = 4;
 
-/// The load (N) that a wheel of that motion has to carry.
+/// A search for the sinkage at which a wheel of that motion carries a load (N).
 struct Search<'a> {
     model: &'a ForceModel,
     rolling: &'a Rolling<'a>,

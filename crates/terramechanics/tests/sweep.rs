@@ -34,13 +34,16 @@ fn sweeps(sinkage_of: impl Fn(f64) -> Sinkage) -> impl Iterator<Item = (Operatio
     operations.into_iter().map(|operation| (operation, SlipSweep::of(&operation, &slips())))
 }
 
+/// One number of a point.
+type Number = fn(&OperatingPoint) -> f64;
+
 /// Whether two points of an operation are one within `allowed`, each number on its own scale. The soil shears a braking wheel forwards
 /// and backwards, and the torque is the difference: its scale is that of the load at the rim.
 fn agree(operation: &Operation, [point, alone]: [&OperatingPoint; 2], allowed: f64) -> bool {
     let forces = &alone.forces;
     let torque = if alone.slip.is_driving() { 0.0 } else { forces.normal_scale() * operation.system.wheel.radius() };
     let (along, upward) = (forces.longitudinal_scale(), forces.normal_scale());
-    let numbers: [(fn(&OperatingPoint) -> f64, f64); 8] = [
+    let numbers: [(Number, f64); 8] = [
         (|point| point.sinkage, alone.sinkage),
         (|point| point.angles.entry, alone.angles.entry),
         (|point| point.angles.peak, alone.angles.entry),

@@ -4,7 +4,7 @@
 
 use fearless_simd::Level;
 
-/// The best lanes of this machine; in a test those it holds to, see [`held::to`].
+/// The best lanes of this machine; in a test those that `held::to` names.
 ///
 /// What is built with `RUSTFLAGS='--cfg lanes="avx2"'` or `"sse2"` has no better ones: for measurements.
 #[inline]
