@@ -237,7 +237,8 @@ fn a_towed_wheel_takes_no_torque_in_grains() {
     assert!(slip < 0.0 && number(&reply, "towing_resistance_n") > 0.0);
     assert!((number(&point, "normal_force_n") / 100.0 - 1.0).abs() < SOLVED);
     assert!(number(&point, "torque_n_m").abs() < SOLVED * 100.0 * 0.2);
-    assert_eq!(number(&reply, "towing_resistance_n"), -number(&point, "longitudinal_force_n"));
+    let pull = number(&point, "longitudinal_force_n"); // a balance is corrected for its last step, so it differs by rounding
+    assert!((number(&reply, "towing_resistance_n") + pull).abs() < SOLVED * 100.0);
     assert_eq!(number(&reply, "granular_stiffness_n_m3"), 2e6);
     let codes: Vec<&Value> = reply["warnings"].as_array().expect("warnings").iter().map(|warning| &warning["code"]).collect();
     assert_eq!(codes, ["driving_only"]);
