@@ -11,6 +11,18 @@ use tower::ServiceExt;
 
 use crate::sentences::assert_told;
 
+/// What two ways to one number may differ by, relative to it or, for one below 1 in SI units, by itself: searches of one sinkage
+/// that start elsewhere, and closed forms of one row and of eight at a time.
+pub(crate) const ROUNDING: f64 = 1e-12;
+
+/// Whether two ways lead to one number, or both to none.
+pub(crate) fn same_but_for_rounding(one: &Value, other: &Value) -> bool {
+    match (one.as_f64(), other.as_f64()) {
+        (Some(one), Some(other)) => (one - other).abs() <= ROUNDING * other.abs().max(1.0),
+        _ => one == other,
+    }
+}
+
 /// An answer of the service.
 #[derive(Debug)]
 pub(crate) struct Answer {

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{letter, post, post_for_csv, table, with};
+use crate::asking::{letter, post, post_for_csv, same_but_for_rounding, table, with};
 
 fn comparison(changes: Value) -> Value {
     with(&with(&letter(), json!({"slip": [0.1, 0.3, 0.6]})), changes)
@@ -33,7 +33,11 @@ fn one_operating_point_is_what_forces_gives() {
                 let forces = post("/v1/forces", &with(&letter(), with(&sinkage, json!({"method": series["method"]})))).ok();
                 for (name, column) in series["columns"].as_object().expect("columns") {
                     let single = forces.get(name).unwrap_or(&forces["components"][name]);
-                    assert_eq!(column, &json!([single]), "{name}");
+                    let found = &column[0];
+                    // Closed forms take eight rows at a time.
+                    let same =
+                        if series["method"] == "quadrature" { found == single } else { same_but_for_rounding(found, single) };
+                    assert!(same && column.as_array().is_some_and(|rows| rows.len() == 1), "{name}: {column} {single}");
                 }
             }
         }

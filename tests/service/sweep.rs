@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{letter, post, post_for_csv, request, send, with};
+use crate::asking::{letter, post, post_for_csv, request, same_but_for_rounding, send, with};
 
 /// A sweep of the letter's wheel.
 fn sweep(changes: Value, axes: Value) -> Value {
@@ -71,23 +71,31 @@ fn an_axis_over_slip_is_the_slip_sweep() {
         let names: Vec<&String> = slips["columns"].as_object().expect("columns").keys().collect();
         assert!(names.len() >= 11);
         for name in names {
-            assert_eq!(found[name], slips["columns"][name], "{name} of {changes}");
+            let (found, slips) = (&found[name], &slips["columns"][name]);
+            if changes["method"] == "explicit" {
+                // The slip sweep takes eight rows of a closed form at a time.
+                let rows = found.as_array().expect("rows").iter().zip(slips.as_array().expect("rows"));
+                assert!(
+                    rows.clone().count() == 16 && rows.clone().all(|(one, other)| same_but_for_rounding(one, other)),
+                    "{name}"
+                );
+            } else {
+                assert_eq!(found, slips, "{name} of {changes}");
+            }
         }
     }
 }
 
 #[test]
 fn a_solved_sinkage_over_slip_is_that_of_the_slip_sweep_to_rounding() {
-    /// What two searches of one sinkage may differ by, relative to the load.
-    const SOLVED: f64 = 1e-12;
     let changes = json!({"sinkage_m": null, "normal_load_n": 80});
     let range = json!({"from": 0, "to": 1, "points": 11});
     let slips = post("/v1/slip-sweep", &with(&with(&letter(), changes.clone()), json!({"slip": range}))).ok();
     let found = columns(&sweep(changes, json!([with(&json!({"field": "/slip"}), range)])));
     for name in ["sinkage_m", "longitudinal_force_n", "torque_n_m"] {
         for row in 0..11 {
-            let [one, other] = [&found, &slips["columns"]].map(|columns| columns[name][row].as_f64().expect("a number"));
-            assert!((one - other).abs() <= SOLVED * other.abs().max(1.0), "{name} at {row}: {one} {other}");
+            let [one, other] = [&found, &slips["columns"]].map(|columns| &columns[name][row]);
+            assert!(one.is_number() && same_but_for_rounding(one, other), "{name} at {row}: {one} {other}");
         }
     }
 }
