@@ -74,7 +74,23 @@ fn at_the_largest_slope_the_slip_is_the_limit() {
     for (limit, hitch) in [(0.3, 0.0), (0.6, 0.0), (0.6, 5.0)] {
         let largest = rover.largest_slope(hitch, limit).expect("a slope").slope;
         let slip = rover.on_slope(largest, hitch).expect("a slip").driven.slip.ratio();
-        assert!((slip - limit).abs() < 1e-8, "{slip} against {limit}");
+        assert!((slip - limit).abs() < 1e-8 && slip <= limit, "{slip} against {limit}");
+    }
+}
+
+#[test]
+fn the_largest_slope_is_climbed() {
+    for mass in [1.0, 5.0, 20.0, 33.0, 80.0] {
+        for count in [3, 4, 6] {
+            for limit in [0.2, 0.45, 0.6, 0.99] {
+                let rover = vehicle(alike(mass, count, jsc_1a()));
+                let largest = rover.largest_slope(0.0, limit).expect("a slope").slope;
+                let slip = rover.on_slope(largest, 0.0).expect("a slip").driven.slip.ratio();
+                assert!(slip <= limit, "{mass} kg on {count} wheels: {slip} above {limit}");
+                let beyond = rover.on_slope(largest + 1e-6, 0.0).map_or(1.0, |on| on.driven.slip.ratio());
+                assert!(beyond > limit, "{mass} kg on {count} wheels climb more: {beyond} of {limit}");
+            }
+        }
     }
 }
 

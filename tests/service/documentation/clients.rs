@@ -57,6 +57,18 @@ fn the_sweep_is_a_table_of_101_rows() {
 }
 
 #[test]
+fn a_known_load_and_a_torque_have_answers() {
+    let shown = blocks(TEXT, "sh");
+    let answers = [3, 4].map(|place| {
+        let (path, body) = command(shown[place]);
+        (path.clone(), post(&path, &body).ok())
+    });
+    assert_eq!((answers[0].0.as_str(), answers[1].0.as_str()), ("/v1/forces", "/v1/coupled"));
+    assert!(answers[0].1["sinkage_modulus"].as_f64().is_some_and(|modulus| modulus > 0.0));
+    assert!(answers[1].1["longitudinal_force_n"].is_number());
+}
+
+#[test]
 fn the_problem_shown_is_what_is_said() {
     let shown: Value = serde_json::from_str(blocks(TEXT, "json")[0]).expect("JSON");
     let (path, mut body) = first_request();

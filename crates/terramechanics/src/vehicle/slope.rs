@@ -11,6 +11,9 @@ const STEP: f64 = 0.1;
 /// Relative tolerance of the largest slope; the loads are solved to 1e-13.
 const TOLERANCE: f64 = 1e-12;
 
+/// What is taken off the largest slope (rad), so that the slip found on it is not above the limit by its rounding.
+const MARGIN: f64 = 1e-10;
+
 /// Halvings that close in on the last slope on which every wheel has an answer.
 const HALVINGS: u32 = 40;
 
@@ -166,7 +169,7 @@ impl Vehicle {
             Err(error) => Ok(LargestSlope { slope: climbed.x, limit: SlopeLimit::Wheel(error) }),
             Ok(slides) => {
                 let found = bracketed_root(|slope| trial(slope).map(|sample| sample.y), climbed, slides, TOLERANCE)?;
-                Ok(LargestSlope { slope: found.best.x, limit: SlopeLimit::Pull })
+                Ok(LargestSlope { slope: found.best.x - MARGIN, limit: SlopeLimit::Pull })
             }
         }
     }
