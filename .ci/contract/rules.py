@@ -161,12 +161,16 @@ def referring_to_answers(part):
 
 
 def whole_laws(part):
-    """Laws and contacts as a whole: single values of one need a preset that has it; tests of the service have them."""
+    """Laws as a whole: single values of one need a preset that has it; tests of the service have them."""
     for inner in part.values() if isinstance(part, dict) else part:
         if isinstance(inner, (dict, list)):
             whole_laws(inner)
     if isinstance(part, dict) and isinstance(part.get("oneOf"), list):
-        part["oneOf"] = [way for way in part["oneOf"] if not way.get("$ref", "").endswith("Values")]
+        part["oneOf"] = [way for way in part["oneOf"] if not is_of_values(way.get("$ref", ""))]
+
+
+def is_of_values(target):
+    return target.endswith("Values") and not target.endswith("ContactValues")
 
 
 def with_its_content(document, parameter):
@@ -217,12 +221,16 @@ def measurements(schemas):
     plain = requiring(anything, ["soil"], without=idle)
     plain["properties"]["fit"]["items"]["enum"] = ["cohesion_pa", "friction_angle_rad", "n0", "n1"]
     plain["properties"]["fit"]["maxItems"] = 4
+    plain["properties"]["method"]["enum"] = [method for method in plain["properties"]["method"]["enum"] if method != GRAINS]
     schemas["IdentifyRequest"] = plain
 
 
 def exits(schemas):
     """Contacts that end by c3, and those that end by the ratio of the sinkages."""
-    for name in [reference["$ref"].rpartition("/")[2] for reference in schemas["Contact"]["oneOf"]]:
+    # Without a rule it is the soil's, or midpoint, which has no c1 and c2.
+    values = schemas["ContactValues"]
+    schemas["ContactValues"] = {**values, "properties": {name: of for name, of in values["properties"].items() if name not in ("c1", "c2")}}
+    for name in [*(reference["$ref"].rpartition("/")[2] for reference in schemas["Contact"]["oneOf"]), "ContactValues"]:
         contact = schemas[name]
         schemas[name] = one_of([requiring(contact, [], without=["exit"]), requiring(contact, ["exit"], without=["c3"])])
 
