@@ -12,7 +12,7 @@ const STEP: f64 = 0.1;
 const TOLERANCE: f64 = 1e-12;
 
 /// What is taken off the largest slope (rad), so that the slip found on it is not above the limit by its rounding.
-const MARGIN: f64 = 1e-10;
+const MARGIN: f64 = 1e-11;
 
 /// Halvings that close in on the last slope on which every wheel has an answer.
 const HALVINGS: u32 = 40;
