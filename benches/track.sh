@@ -51,3 +51,4 @@ for _ in 1 2 3; do
     run 'explicit, running strength' 'normal_load_n=80&method=explicit&strength=true' measured.csv
 done
 run 'quadrature, static sinkage' 'static_sinkage_m=0.02'
+run 'quadrature, load' 'normal_load_n=80'
