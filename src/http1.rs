@@ -13,7 +13,7 @@ use axum::http::{HeaderMap, HeaderValue, Version};
 use crate::problem::Problem;
 use crate::{coding, rest};
 
-/// The length of the body was declared, so that its client has the whole of it.
+/// The length of the body was declared, though it is no longer known: it was that of the packed body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Declared;
 
@@ -26,11 +26,12 @@ pub(crate) fn received(request: Request) -> Result<Request, Problem> {
     if let Some(fault) = ambiguity(parts.version, &parts.headers) {
         return Err(Problem::Ambiguous(fault));
     }
-    if parts.headers.contains_key(CONTENT_LENGTH) {
-        parts.extensions.insert(Declared);
-    }
+    let is_declared = parts.headers.contains_key(CONTENT_LENGTH);
     let body = rest::read_to_its_end(body, &parts.headers);
     let body = coding::unpacked(body, &mut parts.headers)?;
+    if is_declared && !parts.headers.contains_key(CONTENT_LENGTH) {
+        parts.extensions.insert(Declared);
+    }
     Ok(Request::from_parts(parts, body))
 }
 

@@ -8,14 +8,11 @@ use crate::api::batch::{Answers, in_words};
 use crate::api::vehicle::{VehicleCase, rover_columns};
 use crate::quantity::About;
 use crate::rows::{Block, Columns};
-use crate::varied::{RowStatus, Templates, Varied, tell_invalid};
+use crate::varied::{Templates, Varied};
 use crate::warning::Tally;
 
 /// The column that takes most of the time of a row, and is found where it is asked for.
 const LARGEST: &str = "largest_slope_rad";
-
-/// Refused rows that are looked at for what all of them lack.
-const MOST_REFUSED: usize = 50;
 
 /// What the rows have in common.
 pub(super) struct RoverPlan {
@@ -91,12 +88,6 @@ impl RoverRows {
             Ok((_, Some(refusal))) => vec![refusal],
             Err(found) => found,
         };
-        let words = in_words(RowStatus::Invalid, &found);
-        let is_whole = block.shape(row).present.count_ones() as usize == plan.columns.fields.len();
-        if !answers.has_case && is_whole && answers.refused.len() < MOST_REFUSED {
-            answers.refused.push(found.clone());
-        }
-        tell_invalid(found, &mut answers.tally);
-        Some(words)
+        Some(answers.refuse(found, block, row, &plan.columns))
     }
 }

@@ -55,16 +55,15 @@ pub(crate) async fn ready(parts: &Parts, body: Body, room: &Budget, limits: &Lim
         Begin::Early => return Ok(body),
         Begin::AfterBody => true,
     };
-    if !has_to_wait && parts.extensions.get::<Declared>().is_none() {
+    let is_declared = parts.headers.contains_key(header::CONTENT_LENGTH) || parts.extensions.get::<Declared>().is_some();
+    if !has_to_wait && !is_declared {
         return Ok(body);
     }
     let mut question = Question { incoming: Incoming::new(body, limits), kept: Kept::default() };
-    match question.keep(room, limits).await {
-        Ok(()) => {}
-        Err(Problem::TooLarge { .. } | Problem::Crowded) if !has_to_wait => {}
-        Err(problem) => return Err(problem),
+    match question.keep(room, limits).await? {
+        Some(no_room) if has_to_wait => Err(no_room),
+        _ => question.into_body().await,
     }
-    question.into_body().await
 }
 
 /// A question that is being kept.
@@ -74,21 +73,22 @@ struct Question {
 }
 
 impl Question {
-    /// Keeps all that comes. After an error nothing of what came is lost.
-    async fn keep(&mut self, room: &Budget, limits: &Limits) -> Result<(), Problem> {
+    /// Keeps all that comes, or as much as finds room, with the problem that this is. After an error what was kept may be incomplete.
+    async fn keep(&mut self, room: &Budget, limits: &Limits) -> Result<Option<Problem>, Problem> {
         while !self.incoming.last {
             self.incoming.receive().await?;
             let piece = self.incoming.input.len();
             if self.kept.length + piece > limits.spool {
-                return Err(Problem::TooLarge { limit: limits.spool });
+                return Ok(Some(Problem::TooLarge { limit: limits.spool }));
             }
             if self.kept.waiting.len() + piece > IN_MEMORY {
-                self.kept.write(room).await?;
+                let Some(share) = room.share(self.kept.waiting.len()) else { return Ok(Some(Problem::Crowded)) };
+                self.kept.write(share).await?;
             }
             self.kept.length += piece;
             self.kept.waiting.extend_from_slice(&std::mem::take(&mut self.incoming.input));
         }
-        Ok(())
+        Ok(None)
     }
 
     /// What was kept, and what still comes behind it.
@@ -123,8 +123,7 @@ struct Kept {
 
 impl Kept {
     /// Moves what waits to the file.
-    async fn write(&mut self, room: &Budget) -> Result<(), Problem> {
-        let share = room.share(self.waiting.len()).ok_or(Problem::Crowded)?;
+    async fn write(&mut self, share: Share) -> Result<(), Problem> {
         let file = match &mut self.file {
             Some((file, all)) => {
                 all.join(share);
@@ -137,6 +136,8 @@ impl Kept {
             }
         };
         file.write_all(&self.waiting).await.map_err(|error| no_room(&error))?;
+        // The file writes behind the caller's back; only a flush tells that it could not.
+        file.flush().await.map_err(|error| no_room(&error))?;
         self.waiting.clear();
         Ok(())
     }
@@ -238,6 +239,18 @@ mod tests {
                 let body = ready(&parts, in_pieces(bytes(length), piece), &room, &limits).await.expect("an early answer");
                 assert!(body.collect().await.expect("a body").to_bytes() == bytes(length), "{length} in {piece}");
             }
+        });
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_disk_that_is_full_is_told_before_the_answer() {
+        run(async {
+            let room = Budget::new(1 << 20);
+            let full = File::options().write(true).open("/dev/full").await.expect("a device that is always full");
+            let share = |bytes| room.share(bytes).expect("room");
+            let mut kept = Kept { waiting: bytes(1000), file: Some((full, share(1))), length: 1000 };
+            assert_eq!(kept.write(share(1000)).await.err(), Some(Problem::Crowded));
         });
     }
 

@@ -8,7 +8,7 @@ use http_body_util::{BodyExt, channel};
 use terramechanics_server::{Begin, Limits, Service, app};
 use tower::ServiceExt;
 
-use crate::asking::runtime;
+use crate::asking::{request, runtime, send_to};
 use crate::track::{path, settings};
 
 /// Whether an answer to a table begins before its body has ended, and the whole of it.
@@ -64,24 +64,13 @@ fn a_setting_says_when_answers_begin() {
 #[test]
 fn a_batch_waits_as_well() {
     let path = "/v1/batch?wheel.preset=letter&soil.preset=letter-sand&slip=0.2";
-    let (limits, via) = (Limits::default(), &[("via", "1.1 proxy")][..]);
-    runtime().block_on(async {
-        let table = "sinkage_m\n0.01\n0.02\n";
-        let request = |headers: &[(&str, &str)]| {
-            let mut request = Request::post(path).header("host", "test").header("content-type", "text/csv");
-            for (name, value) in headers {
-                request = request.header(*name, *value);
-            }
-            request.body(Body::from(table)).expect("a request")
-        };
-        let mut texts = Vec::new();
-        for headers in [&[][..], via] {
-            let response = app(Service::new(limits)).oneshot(request(headers)).await.expect("an answer");
-            assert_eq!(response.status(), StatusCode::OK);
-            texts.push(response.into_body().collect().await.expect("a body").to_bytes());
-        }
-        assert!(texts[0] == texts[1] && texts[0].ends_with(b"#end,2\n"), "{texts:?}");
+    let texts = [&[][..], &[("via", "1.1 proxy")]].map(|signs| {
+        let headers = [&[("content-type", "text/csv")], signs].concat();
+        let answer = send_to(Service::new(Limits::default()), request("POST", path, &headers, "sinkage_m\n0.01\n0.02\n"));
+        assert_eq!(answer.status, StatusCode::OK);
+        answer.text
     });
+    assert!(texts[0] == texts[1] && texts[0].ends_with("#end,2\n"), "{texts:?}");
 }
 
 #[test]
@@ -92,7 +81,7 @@ fn a_table_that_is_too_large_to_keep_is_refused() {
         table.push_str(&format!("{i},0.1\n"));
     }
     let headers = [("content-type", "text/csv"), ("via", "1.1 proxy")];
-    let request = crate::asking::request("POST", &path(&settings()), &headers, table);
-    let problem = crate::asking::send_to(Service::new(limits), request).problem(413);
+    let question = request("POST", &path(&settings()), &headers, table);
+    let problem = send_to(Service::new(limits), question).problem(413);
     assert!(problem["detail"].as_str().is_some_and(|detail| detail.contains("1000 bytes")), "{problem}");
 }

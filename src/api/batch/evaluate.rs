@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use terramechanics_reading::FieldFault;
 
-use super::answers::Answers;
+use super::answers::{Answers, in_words};
 use super::plan::Plan;
 use crate::api::forces::ForcesCase;
 use crate::compute::SLICE;
@@ -13,14 +13,11 @@ use crate::request::error_fault;
 use crate::request::pull::SlipFrom;
 use crate::rows::Block;
 use crate::stream::Job;
-use crate::varied::{RowStatus, Templates, tell_invalid};
+use crate::varied::{RowStatus, Templates};
 use crate::warning::Tally;
 
 /// Rows between two readings of the clock, which takes a good part of the time of a cheap row.
 const ROWS_PER_LOOK: usize = 16;
-
-/// Refused rows that are looked at for what all of them lack.
-const MOST_REFUSED: usize = 50;
 
 /// A block under way, and what reads its rows.
 pub(super) struct Rows {
@@ -52,20 +49,19 @@ impl Rows {
 
     fn row(&mut self, row: usize) {
         let Self { plan, templates, block, is_costly, answers, .. } = self;
-        let Answers { numbers, faults, tally, assumed, has_case, refused } = answers;
-        tally.begin_row();
+        answers.tally.begin_row();
         let case = match block.fault(row) {
             Some(fault) => Err(vec![FieldFault::new("", fault)]),
-            None => templates.case(&plan.constants, &plan.columns.fields, block, row, assumed),
+            None => templates.case(&plan.constants, &plan.columns.fields, block, row, &mut answers.assumed),
         };
         let Plan { values, .. } = &**plan;
         let fault = match case {
             Ok(case) => {
-                *has_case = true;
+                answers.has_case = true;
                 *is_costly = !case.operation.model.method.is_closed_form() || matches!(case.slip, SlipFrom::Pull(_));
-                let mut columns = numbers.iter_mut();
+                let mut columns = answers.numbers.iter_mut();
                 let put = |number| columns.next().into_iter().for_each(|column| column.push(number));
-                match case.answer(values.iter().copied(), tally, put) {
+                match case.answer(values.iter().copied(), &mut answers.tally, put) {
                     Ok(()) => None,
                     Err(error) => {
                         let fault = error_fault(&error, &case.operation.sinkage);
@@ -74,34 +70,12 @@ impl Rows {
                 }
             }
             Err(found) => {
-                numbers.iter_mut().for_each(|column| column.push(f64::NAN));
-                let words = in_words(RowStatus::Invalid, &found);
-                let is_whole = block.shape(row).present.count_ones() as usize == plan.columns.fields.len();
-                if !*has_case && is_whole && refused.len() < MOST_REFUSED {
-                    refused.push(found.clone());
-                }
-                tell_invalid(found, tally);
-                Some(words)
+                answers.numbers.iter_mut().for_each(|column| column.push(f64::NAN));
+                Some(answers.refuse(found, block, row, &plan.columns))
             }
         };
-        faults.push(fault);
+        answers.faults.push(fault);
     }
-}
-
-/// How a row went that has no answer.
-pub(crate) fn in_words(status: RowStatus, faults: &[FieldFault]) -> Box<str> {
-    const MOST: usize = 5;
-    let mut words = status.name().to_owned();
-    for (i, FieldFault { pointer, detail, .. }) in faults.iter().take(MOST).enumerate() {
-        words.push_str(if i == 0 { ": " } else { "; " });
-        words.push_str(pointer);
-        words.push_str(if pointer.is_empty() { "" } else { " " });
-        words.push_str(detail);
-    }
-    if faults.len() > MOST {
-        words.push_str(&format!("; and {} more", faults.len() - MOST));
-    }
-    words.into()
 }
 
 impl Job for Rows {
