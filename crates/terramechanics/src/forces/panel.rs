@@ -35,7 +35,7 @@ impl Integrals {
     }
 
     #[inline(always)]
-    fn of<L: Simd>([normal_cos, normal_sin, shear_cos, shear_sin, shear_plain]: [f64x8<L>; 5]) -> Self {
+    pub(super) fn of<L: Simd>([normal_cos, normal_sin, shear_cos, shear_sin, shear_plain]: [f64x8<L>; 5]) -> Self {
         // Each by a call of its own: what maps an array is not compiled for the lanes.
         Self {
             normal_cos: sum(normal_cos),

@@ -17,11 +17,11 @@
 //!
 //! But for its scale the integral depends on the slip and on z/r alone, so its error is known over all of both: [`ERROR`].
 
+use super::panel::Integrals;
 use super::{Components, Forces};
 use crate::error::Error;
 use crate::numerics::elementary::Number;
 use crate::numerics::gauss_legendre::{COARSE, FINE, LaneNodes};
-use crate::numerics::lanes::sum;
 use crate::numerics::level::level;
 use crate::patch::ContactPatch;
 use crate::resistive_force::LeadingEdge;
@@ -83,7 +83,7 @@ pub(crate) fn forces_and_slopes_in_grains(rolling: &Rolling<'_>, sinkage: f64, c
         let ends = if range <= LONGEST { &ends[1..] } else { &ends };
         dispatch!(level(), simd => sums::<_, _, true>(simd, &FINE, edge, edge.layer, ends))
     };
-    Some((pressed.forces(edge), slopes.forces(edge).scaled(sinkage)))
+    Some((of_edge(&pressed, edge), of_edge(&slopes, edge).scaled(sinkage)))
 }
 
 fn forces(edge: &LeadingEdge) -> Forces {
@@ -95,44 +95,19 @@ fn forces(edge: &LeadingEdge) -> Forces {
 #[inline]
 fn forces_by(edge: &LeadingEdge, scale: f64, ends: &[f64]) -> Forces {
     let [pressed, _] = dispatch!(level(), simd => sums::<_, _, false>(simd, &FINE, edge, scale, ends));
-    pressed.forces(edge)
+    of_edge(&pressed, edge)
 }
 
-/// Integrals over the leading edge of the stresses over ξ.
-#[derive(Default)]
-struct Sums {
-    /// ∫ σ cos θ dθ and ∫ σ sin θ dθ.
-    normal_cos: f64,
-    normal_sin: f64,
-    /// ∫ τ cos θ dθ, ∫ τ sin θ dθ and ∫ τ dθ.
-    shear_cos: f64,
-    shear_sin: f64,
-    shear_plain: f64,
-}
-
-impl Sums {
-    #[inline(always)]
-    fn of<L: Simd>([normal_cos, normal_sin, shear_cos, shear_sin, shear_plain]: [f64x8<L>; 5]) -> Self {
-        // Each by a call of its own: what maps an array is not compiled for the lanes.
-        Self {
-            normal_cos: sum(normal_cos),
-            normal_sin: sum(normal_sin),
-            shear_cos: sum(shear_cos),
-            shear_sin: sum(shear_sin),
-            shear_plain: sum(shear_plain),
-        }
-    }
-
-    fn forces(&self, edge: &LeadingEdge) -> Forces {
-        let pressing = edge.stiffness * edge.radius * edge.width;
-        let components = Components {
-            traction: pressing * self.shear_cos,
-            resistance: pressing * self.normal_sin,
-            normal_support: pressing * self.normal_cos,
-            shear_support: pressing * self.shear_sin,
-        };
-        Forces::new(components, edge.radius * pressing * self.shear_plain, ERROR)
-    }
+/// The forces of integrals over the edge of the stresses over ξ.
+fn of_edge(integrals: &Integrals, edge: &LeadingEdge) -> Forces {
+    let pressing = edge.stiffness * edge.radius * edge.width;
+    let components = Components {
+        traction: pressing * integrals.shear_cos,
+        resistance: pressing * integrals.normal_sin,
+        normal_support: pressing * integrals.normal_cos,
+        shear_support: pressing * integrals.shear_sin,
+    };
+    Forces::new(components, edge.radius * pressing * integrals.shear_plain, ERROR)
 }
 
 /// The integrals over panels of u with those ends, and if `CHANGING` their changes over the sinkage.
@@ -143,7 +118,7 @@ fn sums<L: Simd, const N: usize, const CHANGING: bool>(
     edge: &LeadingEdge,
     scale: f64,
     ends: &[f64],
-) -> [Sums; 2] {
+) -> [Integrals; 2] {
     let zero = f64x8::splat(simd, 0.0);
     let [mut pressed, mut changes] = [[zero; 5]; 2];
     for ends in ends.windows(2) {
@@ -160,7 +135,7 @@ fn sums<L: Simd, const N: usize, const CHANGING: bool>(
             }
         }
     }
-    [Sums::of(pressed), Sums::of(changes)]
+    [Integrals::of(pressed), Integrals::of(changes)]
 }
 
 /// Adds what nodes have of σ dθ and τ dθ.
