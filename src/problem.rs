@@ -1,5 +1,7 @@
 //! Failures as clients see them: RFC 9457 problem documents. The only place that knows HTTP statuses of failures.
 
+mod kind;
+
 use std::time::Duration;
 
 use axum::http::header::{ACCEPT_ENCODING, CONNECTION, CONTENT_TYPE, RETRY_AFTER};
@@ -8,6 +10,7 @@ use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use utoipa::ToSchema;
 
+pub(crate) use self::kind::Kind;
 use crate::coding::{self, UnknownCoding};
 use crate::compute::Stop;
 use crate::request::error_fault;
@@ -81,9 +84,9 @@ pub(crate) enum Problem {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Problem)]
 pub(crate) struct ProblemBody {
-    /// Kind of the problem, for programs.
+    /// Kind of the problem, for programs: an address at this service, which answers with what the kind means.
     #[serde(rename = "type")]
-    #[schema(example = "urn:terramechanics:problem:invalid-input")]
+    #[schema(format = "uri-reference", example = "/problems/invalid-input")]
     kind: String,
     /// The kind in words.
     #[schema(example = "The request cannot be computed")]
@@ -116,40 +119,26 @@ impl Problem {
     }
 
     pub(crate) fn status(&self) -> StatusCode {
-        match self {
-            Self::NotJson { .. } | Self::BrokenBody | Self::Ambiguous(_) | Self::Unreadable(_) => StatusCode::BAD_REQUEST,
-            Self::NotFound(_) => StatusCode::NOT_FOUND,
-            Self::MethodNotAllowed(_) => StatusCode::METHOD_NOT_ALLOWED,
-            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => StatusCode::REQUEST_TIMEOUT,
-            Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
-            Self::Invalid(_) | Self::TooCostly { .. } => StatusCode::UNPROCESSABLE_ENTITY,
-            Self::UnknownCoding | Self::NotJsonType | Self::NotSeriesType | Self::NotRowsType => {
-                StatusCode::UNSUPPORTED_MEDIA_TYPE
-            }
-            Self::Busy | Self::Crowded | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
-            Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
-        }
+        self.kind().status
     }
 
-    fn name_and_title(&self) -> (&'static str, &'static str) {
+    fn kind(&self) -> &'static Kind {
         match self {
-            Self::NotJson { .. } => ("not-json", "The body is not JSON"),
-            Self::BrokenBody => ("broken-body", "The body could not be received"),
-            Self::Ambiguous(_) => ("ambiguous-request", "The request is not clear"),
-            Self::UnknownCoding => ("unsupported-coding", "The body has a coding that is not known"),
-            Self::NotFound(_) => ("not-found", "There is nothing here"),
-            Self::MethodNotAllowed(_) => ("method-not-allowed", "The method is not allowed here"),
-            Self::Unreadable(_) => ("unreadable-series", "The series cannot be read"),
-            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => ("slow-body", "The body did not arrive in time"),
-            Self::TooLarge { .. } => ("too-large", "The body is too large"),
-            Self::NotJsonType => ("unsupported-media-type", "The body has to be JSON"),
-            Self::NotSeriesType => ("unsupported-media-type", "The body has to be JSON, CSV or NDJSON in UTF-8"),
-            Self::NotRowsType => ("unsupported-media-type", "The body has to be CSV or NDJSON in UTF-8, or an Arrow stream"),
-            Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
-            Self::Busy | Self::Crowded => ("busy", "The service is busy"),
-            Self::Late(_) => ("late", "The answer was not ready in time"),
-            Self::TooCostly { .. } => ("too-costly", "The computation takes too long"),
-            Self::Internal => ("internal", "The service failed"),
+            Self::NotJson { .. } => &kind::NOT_JSON,
+            Self::BrokenBody => &kind::BROKEN_BODY,
+            Self::Ambiguous(_) => &kind::AMBIGUOUS,
+            Self::UnknownCoding => &kind::CODING,
+            Self::NotFound(_) => &kind::NOT_FOUND,
+            Self::MethodNotAllowed(_) => &kind::METHOD_NOT_ALLOWED,
+            Self::Unreadable(_) => &kind::UNREADABLE,
+            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => &kind::SLOW_BODY,
+            Self::TooLarge { .. } => &kind::TOO_LARGE,
+            Self::NotJsonType | Self::NotSeriesType | Self::NotRowsType => &kind::MEDIA_TYPE,
+            Self::Invalid(_) => &kind::INVALID,
+            Self::Busy | Self::Crowded => &kind::BUSY,
+            Self::Late(_) => &kind::LATE,
+            Self::TooCostly { .. } => &kind::TOO_COSTLY,
+            Self::Internal => &kind::INTERNAL,
         }
     }
 
@@ -219,8 +208,8 @@ impl From<Stop> for Problem {
 
 impl From<Problem> for ProblemBody {
     fn from(problem: Problem) -> Self {
-        let status = problem.status().as_u16();
-        let (name, title) = problem.name_and_title();
+        let Kind { status, title, .. } = *problem.kind();
+        let (status, kind) = (status.as_u16(), problem.kind().address());
         let (line, column) = match problem {
             Problem::NotJson { line, column, .. } => (Some(line), Some(column)),
             Problem::Unreadable(SeriesFault { line, column, .. }) => {
@@ -231,7 +220,6 @@ impl From<Problem> for ProblemBody {
         let detail = problem.detail();
         let errors = if let Problem::Invalid(errors) = problem { errors } else { Vec::new() };
         let errors = errors.into_iter().map(|fault| FieldFault { detail: legible(&fault.detail), ..fault }).collect();
-        let kind = format!("urn:terramechanics:problem:{name}");
         Self { kind, title, status, detail, errors, line, column }
     }
 }

@@ -27,7 +27,7 @@ use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::towed::{self, TowedCase};
 use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
-use crate::api::{batch, catalogue, health, limits, model, sweep, track, validation};
+use crate::api::{batch, catalogue, health, limits, model, problems, sweep, track, validation};
 use crate::contract::{self, Contract, Shown};
 use crate::entrance::Entrance;
 use crate::observe::{CATALOGUE_VERSION, MODEL_VERSION, REQUEST_ID};
@@ -66,6 +66,8 @@ fn operations() -> Operations {
         .shown(routes!(validation::validation_set), validation::example_of_set)
         .plain(routes!(model::model))
         .plain(routes!(limits::limits))
+        .plain(routes!(problems::problems))
+        .plain(routes!(problems::problem))
         .plain(routes!(health::healthz))
         .plain(routes!(health::readyz))
         .plain(routes!(health::metrics))
