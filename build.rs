@@ -28,8 +28,9 @@ const SHORT: usize = 1 << 10;
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=static");
     SOURCES.iter().for_each(|path| println!("cargo::rerun-if-changed={path}"));
-    println!("cargo::rustc-env=TERRAMECHANICS_BUILD={:016x}", version_of(&SOURCES)?);
-    println!("cargo::rustc-env=TERRAMECHANICS_CATALOGUE={:016x}", version_of(&["catalogue"])?);
+    // Not named like settings: cargo hands them on to what it runs.
+    println!("cargo::rustc-env=VERSION_OF_BUILD={:016x}", version_of(&SOURCES)?);
+    println!("cargo::rustc-env=VERSION_OF_CATALOGUE={:016x}", version_of(&["catalogue"])?);
     pack(Path::new("static"), &PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("packed"))
 }
 

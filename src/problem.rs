@@ -61,8 +61,8 @@ pub(crate) enum Problem {
     Crawling(Slowest),
     /// The request cannot be computed.
     Invalid(Vec<FieldFault>),
-    /// All places for long computations are taken.
-    Busy,
+    /// All places for long computations are taken, by work that usually takes so long.
+    Busy(Duration),
     /// All places for connections are taken, or the memory for large bodies or answers.
     Crowded,
     /// The answer was not ready in time.
@@ -109,8 +109,8 @@ pub(crate) struct ProblemBody {
     column: Option<usize>,
 }
 
-/// Seconds after which a busy service may be asked again.
-const RETRY_AFTER_SECONDS: u16 = 1;
+/// Shortest time after which a busy service is asked again.
+const SOONEST: Duration = Duration::from_secs(1);
 
 impl Problem {
     /// What the model refuses of a request whose fields are each right.
@@ -135,7 +135,7 @@ impl Problem {
             Self::TooLarge { .. } => &kind::TOO_LARGE,
             Self::NotJsonType | Self::NotSeriesType | Self::NotRowsType => &kind::MEDIA_TYPE,
             Self::Invalid(_) => &kind::INVALID,
-            Self::Busy | Self::Crowded => &kind::BUSY,
+            Self::Busy(_) | Self::Crowded => &kind::BUSY,
             Self::Late(_) => &kind::LATE,
             Self::TooCostly { .. } => &kind::TOO_COSTLY,
             Self::Internal => &kind::INTERNAL,
@@ -175,7 +175,7 @@ impl Problem {
                 [one] => format!("{}: {}", one.pointer, one.detail),
                 many => format!("{} faults, see errors", many.len()),
             },
-            Self::Busy => "all places for long computations are taken, try again soon".into(),
+            Self::Busy(_) => "all places for long computations are taken, try again soon".into(),
             Self::Crowded => "too many others are connected, send or read, try again soon".into(),
             Self::Late(limit) => format!("no answer within {} s, try again or ask for fewer points", limit.as_secs_f64()),
             Self::TooCostly { price, limit, spent: false } => format!(
@@ -202,7 +202,7 @@ impl From<UnknownCoding> for Problem {
 
 impl From<Stop> for Problem {
     fn from(_: Stop) -> Self {
-        Self::Busy
+        Self::Busy(Duration::ZERO)
     }
 }
 
@@ -227,12 +227,13 @@ impl From<Problem> for ProblemBody {
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let status = self.status();
+        let again = if let Self::Busy(ahead) = self { ahead.max(SOONEST) } else { SOONEST };
         let is_of_coding = self == Self::UnknownCoding;
         let is_ambiguous = matches!(self, Self::Ambiguous(_));
         let text = serde_json::to_vec(&ProblemBody::from(self)).unwrap_or_default();
         let mut response = (status, [(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"))], text).into_response();
         if status == StatusCode::SERVICE_UNAVAILABLE {
-            response.headers_mut().insert(RETRY_AFTER, RETRY_AFTER_SECONDS.into());
+            response.headers_mut().insert(RETRY_AFTER, (again.as_secs_f64().ceil() as u64).into());
         }
         if is_ambiguous {
             // What follows on the connection may be the rest of this request or the next one.

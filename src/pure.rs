@@ -12,7 +12,7 @@ use crate::accepted::Accepted;
 use crate::fixed::{ASKED_ANEW, has, tag};
 
 /// The code and the data that the program was built of, as one word.
-const BUILD: &str = env!("TERRAMECHANICS_BUILD");
+const BUILD: &str = env!("VERSION_OF_BUILD");
 
 /// What the answer to a request follows from, as one word.
 pub(crate) struct Source(String);

@@ -30,7 +30,7 @@ static SOILS: LazyLock<Vec<SoilRecord>> = LazyLock::new(|| {
 });
 
 /// A word that changes with any record.
-pub(crate) const VERSION: &str = env!("TERRAMECHANICS_CATALOGUE");
+pub(crate) const VERSION: &str = env!("VERSION_OF_CATALOGUE");
 
 fn compiled_in<T: serde::de::DeserializeOwned>(text: &str) -> Vec<T> {
     serde_json::from_str(text).expect("the catalogue is compiled in and its tests read it")

@@ -4,7 +4,7 @@
 //! caller has gone, its deadline has passed or it has taken twice its price.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
@@ -50,6 +50,9 @@ pub(crate) struct Pool {
     places: Arc<Semaphore>,
     short_places: Arc<Semaphore>,
     stream_places: Arc<Semaphore>,
+    /// What the work that has a place usually takes (microseconds of processor time).
+    ahead: Arc<AtomicU64>,
+    threads: usize,
     deadline: Duration,
     price_limit: Duration,
 }
@@ -62,6 +65,8 @@ impl Pool {
             places: places(bounds.places),
             short_places: places(bounds.places * SHORT_PLACES),
             stream_places: places(bounds.stream_places),
+            ahead: Arc::default(),
+            threads: bounds.threads,
             deadline: bounds.deadline,
             price_limit: bounds.price_limit,
         }
@@ -82,7 +87,7 @@ impl Pool {
     /// # Errors
     /// [`Problem::Busy`] if none is free.
     pub(crate) fn place(&self) -> Result<Place, Problem> {
-        Place::of(&self.places, &self.turns)
+        self.place_among(&self.places, Cost::NONE)
     }
 
     /// A place for a stream.
@@ -90,7 +95,20 @@ impl Pool {
     /// # Errors
     /// [`Problem::Busy`] if none is free.
     pub(crate) fn stream_place(&self) -> Result<Place, Problem> {
-        Place::of(&self.stream_places, &self.turns)
+        self.place_among(&self.stream_places, Cost::NONE)
+    }
+
+    fn place_among(&self, places: &Arc<Semaphore>, cost: Cost) -> Result<Place, Problem> {
+        let permit = places.clone().try_acquire_owned().map_err(|_| Problem::Busy(self.time_ahead()))?;
+        let usual = cost.usual().as_micros() as u64;
+        self.ahead.fetch_add(usual, Ordering::Relaxed);
+        Ok(Place { _permit: permit, turns: self.turns.clone(), usual, ahead: self.ahead.clone() })
+    }
+
+    /// The time that the work with a place usually takes from here, if it has only begun; no work takes longer than its deadline.
+    fn time_ahead(&self) -> Duration {
+        let ahead = Duration::from_micros(self.ahead.load(Ordering::Relaxed));
+        (ahead / u32::try_from(self.threads.max(1)).unwrap_or(u32::MAX)).min(self.deadline)
     }
 
     /// A place for a stream of this cost, which may last for so long.
@@ -125,7 +143,7 @@ impl Pool {
         }
         let class = if cost.is_short() { Class::Short } else { Class::Long };
         let places = if class == Class::Short { &self.short_places } else { &self.places };
-        let place = Place::of(places, &self.turns)?;
+        let place = self.place_among(places, cost)?;
         let caller = Caller::default();
         let terms = Terms {
             gone: caller.0.clone(),
@@ -169,14 +187,17 @@ impl Drop for Caller {
 pub(crate) struct Place {
     _permit: OwnedSemaphorePermit,
     turns: Turns,
+    usual: u64,
+    ahead: Arc<AtomicU64>,
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.ahead.fetch_sub(self.usual, Ordering::Relaxed);
+    }
 }
 
 impl Place {
-    fn of(places: &Arc<Semaphore>, turns: &Turns) -> Result<Self, Problem> {
-        let permit = places.clone().try_acquire_owned().map_err(|_| Problem::Busy)?;
-        Ok(Self { _permit: permit, turns: turns.clone() })
-    }
-
     /// What a slice of work returns. It ends by itself, after about [`SLICE`](super::SLICE).
     ///
     /// # Errors
