@@ -11,6 +11,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use super::cost::Cost;
 use super::pace::{Pace, Stop, Terms};
+use super::tally::Tally;
 use super::turns::{Class, Turns};
 use crate::problem::Problem;
 
@@ -52,6 +53,7 @@ pub(crate) struct Pool {
     stream_places: Arc<Semaphore>,
     /// What the work that has a place usually takes (microseconds of processor time).
     ahead: Arc<AtomicU64>,
+    tally: Tally,
     threads: usize,
     deadline: Duration,
     price_limit: Duration,
@@ -66,6 +68,7 @@ impl Pool {
             short_places: places(bounds.places * SHORT_PLACES),
             stream_places: places(bounds.stream_places),
             ahead: Arc::default(),
+            tally: Tally::new(),
             threads: bounds.threads,
             deadline: bounds.deadline,
             price_limit: bounds.price_limit,
@@ -82,12 +85,22 @@ impl Pool {
         self.stream_places.available_permits()
     }
 
+    /// How much short and how much long work waits for a thread.
+    pub(crate) fn waiting(&self) -> [usize; 2] {
+        self.turns.waiting()
+    }
+
+    /// What was counted.
+    pub(crate) fn tally(&self) -> &Tally {
+        &self.tally
+    }
+
     /// A place for a computation that goes on in slices.
     ///
     /// # Errors
     /// [`Problem::Busy`] if none is free.
     pub(crate) fn place(&self) -> Result<Place, Problem> {
-        self.place_among(&self.places, Cost::NONE)
+        self.counted(self.place_among(&self.places, Cost::NONE))
     }
 
     /// A place for a stream.
@@ -95,7 +108,12 @@ impl Pool {
     /// # Errors
     /// [`Problem::Busy`] if none is free.
     pub(crate) fn stream_place(&self) -> Result<Place, Problem> {
-        self.place_among(&self.stream_places, Cost::NONE)
+        self.counted(self.place_among(&self.stream_places, Cost::NONE))
+    }
+
+    fn counted<T>(&self, result: Result<T, Problem>) -> Result<T, Problem> {
+        self.tally.count(&result);
+        result
     }
 
     fn place_among(&self, places: &Arc<Semaphore>, cost: Cost) -> Result<Place, Problem> {
@@ -118,7 +136,7 @@ impl Pool {
     pub(crate) fn stream_place_for(&self, cost: Cost, longest: Duration) -> Result<Place, Problem> {
         let price = cost.price();
         if price > longest {
-            return Err(Problem::TooCostly { price, limit: longest, spent: false });
+            return self.counted(Err(Problem::TooCostly { price, limit: longest, spent: false }));
         }
         self.stream_place()
     }
@@ -137,6 +155,14 @@ impl Pool {
         if cost.is_next_to_nothing() {
             return work(&Pace::at_once());
         }
+        self.counted(self.run_on_a_thread(cost, work).await)
+    }
+
+    async fn run_on_a_thread<T, F>(&self, cost: Cost, work: F) -> Result<T, Problem>
+    where
+        T: Send + 'static,
+        F: FnOnce(&Pace) -> Result<T, Problem> + Send + 'static,
+    {
         let price = cost.price();
         if price > self.price_limit {
             return Err(Problem::TooCostly { price, limit: self.price_limit, spent: false });
@@ -144,6 +170,7 @@ impl Pool {
         let class = if cost.is_short() { Class::Short } else { Class::Long };
         let places = if class == Class::Short { &self.short_places } else { &self.places };
         let place = self.place_among(places, cost)?;
+        self.tally.prices.observe(price.as_secs_f64());
         let caller = Caller::default();
         let terms = Terms {
             gone: caller.0.clone(),
