@@ -10,8 +10,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::task::{Context, Poll};
 
 use axum::body::{Body, Bytes, HttpBody};
-use axum::http::HeaderValue;
 use axum::http::header::CONTENT_TYPE;
+use axum::http::{HeaderName, HeaderValue};
 use axum::response::{IntoResponse, Response};
 use hyper::body::{Frame, SizeHint};
 use serde::Serialize;
@@ -21,6 +21,13 @@ use crate::extract::Format;
 use crate::problem::Problem;
 use crate::quantity::write_table;
 use crate::reply::Reply;
+
+/// The media type of an answer in JSON, and of one that is a table.
+pub(crate) const JSON: &str = "application/json";
+pub(crate) const CSV: &str = "text/csv; charset=utf-8; header=present";
+
+/// The codes of the warnings of an answer that is a table.
+pub(crate) const WARNINGS: HeaderName = HeaderName::from_static("x-warnings");
 
 /// Largest piece, and largest answer that needs no share of the budget (bytes).
 const PIECE: usize = 64 << 10;
@@ -44,7 +51,7 @@ pub(crate) fn written<R: Reply>(reply: &R, format: Format) -> Result<Response, P
             if let Ok(codes) = HeaderValue::from_str(&codes.join(", "))
                 && !codes.is_empty()
             {
-                response.headers_mut().insert("x-warnings", codes);
+                response.headers_mut().insert(WARNINGS, codes);
             }
             Ok(response)
         }
@@ -58,12 +65,12 @@ pub(crate) fn json<T: Serialize>(value: &T) -> Result<Response, Problem> {
 
 /// A text that is a table.
 pub(crate) fn csv_text(text: impl IntoResponse) -> Response {
-    ([(CONTENT_TYPE, HeaderValue::from_static("text/csv; charset=utf-8; header=present"))], text).into_response()
+    ([(CONTENT_TYPE, HeaderValue::from_static(CSV))], text).into_response()
 }
 
 /// A text that is JSON.
 pub(crate) fn json_text(text: impl IntoResponse) -> Response {
-    ([(CONTENT_TYPE, HeaderValue::from_static("application/json"))], text).into_response()
+    ([(CONTENT_TYPE, HeaderValue::from_static(JSON))], text).into_response()
 }
 
 /// An answer that was written, as it may be sent: a large one takes its share of the budget, piece by piece.

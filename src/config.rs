@@ -3,9 +3,11 @@
 use std::net::SocketAddr;
 use std::time::Duration;
 
+use axum::http::HeaderValue;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::limits::{Begin, Limits};
+use crate::outside::Outside;
 use crate::server::{Bounds, Slowest};
 
 /// Forces of a wheel on soil, over HTTP: an API and a plotting page.
@@ -49,6 +51,11 @@ pub struct Serve {
     /// Where clients find the service, with the path of a proxy in front, e.g. `https://example.org/soil`. The contract names it.
     #[arg(long, env = "TERRAMECHANICS_PUBLIC_URL", value_parser = public_url, value_name = "URL")]
     pub public_url: Option<String>,
+
+    /// Origin of pages elsewhere whose scripts may read the answers, e.g. `https://example.org`; several with commas, `*` for
+    /// all. Without one, browsers let only the page of the service read them.
+    #[arg(long, env = "TERRAMECHANICS_CORS_ORIGIN", value_delimiter = ',', value_parser = origin, value_name = "ORIGIN")]
+    pub cors_origin: Vec<HeaderValue>,
 
     /// What to log, e.g. info, debug, or terramechanics_server=debug,info.
     #[arg(long, env = "TERRAMECHANICS_LOG", default_value = "info", value_name = "FILTER")]
@@ -190,6 +197,12 @@ impl Serve {
         }
     }
 
+    /// How the service is seen from outside.
+    #[must_use]
+    pub fn outside(&self) -> Outside {
+        Outside { public_url: self.public_url.clone(), origins: self.cors_origin.clone() }
+    }
+
     /// The bounds of the accept loop.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
@@ -225,6 +238,17 @@ fn public_url(text: &str) -> Result<String, String> {
     match (uri.scheme_str(), uri.host(), uri.query()) {
         (Some("http" | "https"), Some(_), None) if !text.contains('#') => Ok(text.trim_end_matches('/').to_owned()),
         _ => Err("must be an address with http or https, such as https://example.org/soil".into()),
+    }
+}
+
+/// An origin as browsers write it: scheme, host and port, and nothing behind them.
+fn origin(text: &str) -> Result<HeaderValue, String> {
+    let uri: Option<axum::http::Uri> = text.parse().ok();
+    let parts = uri.as_ref().and_then(|uri| Some((uri.scheme_str()?, uri.authority()?.as_str())));
+    let is_origin = parts.is_some_and(|(scheme, host)| text == format!("{scheme}://{host}") && !host.contains('@'));
+    match HeaderValue::from_str(text) {
+        Ok(origin) if text == "*" || is_origin => Ok(origin),
+        _ => Err("must be an origin, such as https://example.org or http://localhost:3000, or * for all".into()),
     }
 }
 
@@ -279,6 +303,9 @@ mod tests {
             ["--stream-begin", "late"],
             ["--public-url", "example.org/soil"],
             ["--public-url", "https://example.org/soil?a=b"],
+            ["--cors-origin", "example.org"],
+            ["--cors-origin", "https://example.org/"],
+            ["--cors-origin", "https://example.org,https://user@example.org"],
             ["--no-such", "1"],
         ] {
             assert!(Config::try_parse_from(["terramechanics"].into_iter().chain(wrong)).is_err(), "{wrong:?}");

@@ -1,5 +1,6 @@
-//! What every request passes on its way in and out: it is noted, what is ambiguous is refused, and a panic is answered like any failure
-//! of the service. One layer for all of it, because each costs a request some allocations.
+//! What every request passes on its way in and out: it is noted, what is ambiguous is refused, who has the answer already is told so, a
+//! panic is answered like any failure of the service, and what is long is packed. One layer for all of it, because each costs a request
+//! some allocations.
 
 use std::any::Any;
 use std::convert::Infallible;
@@ -49,14 +50,19 @@ where
     }
 
     fn call(&mut self, request: Request) -> Self::Future {
-        let noted = Noted::of(&request);
-        let called = http1::received(request).map(|request| catch_unwind(AssertUnwindSafe(|| self.inner.call(request))));
+        let noted = Noted::of(&request, &self.service);
+        let called = match http1::received(request) {
+            Err(problem) => Err(problem.into_response()),
+            Ok(request) => match noted.known(&request) {
+                Some(known) => Err(known),
+                None => catch_unwind(AssertUnwindSafe(|| self.inner.call(request))).map_err(|cause| panicked(&*cause)),
+            },
+        };
         let service = self.service.clone();
         Box::pin(async move {
             let response = match called {
-                Ok(Ok(answer)) => caught(answer).await,
-                Ok(Err(cause)) => panicked(&*cause),
-                Err(problem) => problem.into_response(),
+                Ok(answer) => caught(answer).await,
+                Err(response) => response,
             };
             Ok(noted.answered(response, &service))
         })

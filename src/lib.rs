@@ -5,6 +5,7 @@
 //! answer says of its numbers comes from the table of `quantity`, what it says of itself from that of `warning`. Physics live in
 //! the crate `terramechanics`, HTTP here.
 
+mod accepted;
 mod answer;
 mod api;
 mod body;
@@ -25,8 +26,11 @@ pub mod log;
 mod metrics;
 mod name;
 mod observe;
+mod outside;
+mod packing;
 mod page;
 mod problem;
+mod pure;
 mod quantity;
 mod reply;
 mod request;
@@ -57,5 +61,6 @@ pub mod fuzzing {
 pub use contract::Contract;
 pub use limits::{Begin, Limits};
 pub use metrics::Metrics;
+pub use outside::Outside;
 pub use router::{app, contract, layered};
 pub use state::Service;

@@ -46,7 +46,7 @@ fn run(settings: &Serve) -> Result<(), String> {
         let listener = listen(settings.listen).map_err(|error| format!("cannot listen on {}: {error}", settings.listen))?;
         let address = listener.local_addr().map_err(|error| error.to_string())?;
         let stop = told_to_stop().map_err(|error| format!("cannot listen for signals: {error}"))?;
-        let service = Service::known_as(settings.limits(), settings.public_url.clone());
+        let service = Service::seen_as(settings.limits(), settings.outside());
         let app = app(service.clone());
         // Nothing waits for whoever reads the output.
         std::thread::spawn(move || {

@@ -1,5 +1,7 @@
 //! Counters for operators, in the OpenMetrics format.
 
+mod system;
+
 use std::fmt;
 use std::time::Duration;
 
@@ -10,6 +12,7 @@ use prometheus_client::metrics::gauge::Gauge;
 use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
 use prometheus_client::registry::{Registry, Unit};
 
+use self::system::System;
 use crate::budget::Budget;
 use crate::compute::Pool;
 use crate::log;
@@ -23,19 +26,31 @@ struct RequestLabels {
 }
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct RouteLabels {
+    route: String,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
 struct ClosedLabels {
     reason: &'static str,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct ClassLabels {
+    class: &'static str,
 }
 
 /// The counters of the service.
 pub struct Metrics {
     registry: Registry,
     requests: Family<RequestLabels, Counter>,
-    durations: Histogram,
+    durations: Family<RouteLabels, Histogram, fn() -> Histogram>,
+    system: System,
     connections: Gauge,
     closed: Family<ClosedLabels, Counter>,
     places: Gauge,
     stream_places: Gauge,
+    waiting: Family<ClassLabels, Gauge>,
     body_memory: Gauge,
     answer_memory: Gauge,
     pool: Pool,
@@ -53,7 +68,9 @@ impl Metrics {
     pub(crate) fn new(pool: &Pool, bodies: &Budget, answers: &Budget) -> Self {
         let mut registry = Registry::default();
         let requests = Family::default();
-        let durations = Histogram::new(exponential_buckets(20e-6, 4.0, 9)); // 20 µs to 1.3 s
+        // 20 µs to 21 s
+        let durations: Family<_, _, fn() -> Histogram> =
+            Family::new_with_constructor(|| Histogram::new(exponential_buckets(20e-6, 4.0, 11)));
         let (connections, places, stream_places) = (Gauge::default(), Gauge::default(), Gauge::default());
         let (body_memory, answer_memory) = (Gauge::default(), Gauge::default());
         let closed = Family::default();
@@ -61,7 +78,12 @@ impl Metrics {
             drop(closed.get_or_create(&ClosedLabels { reason: reason.name() }));
         }
         registry.register("http_requests", "Requests answered", requests.clone());
-        registry.register_with_unit("http_request_duration", "Time to an answer", Unit::Seconds, durations.clone());
+        registry.register_with_unit(
+            "http_request_duration",
+            "Time to the beginning of an answer",
+            Unit::Seconds,
+            durations.clone(),
+        );
         registry.register("http_connections", "Open connections", connections.clone());
         registry.register("log_lines_dropped", "Lines of the log that could not be written in time", log::dropped());
         registry.register("http_connections_closed", "Connections closed, by the reason", closed.clone());
@@ -69,6 +91,12 @@ impl Metrics {
         registry.register_with_unit("answer_memory_free", "Free memory for large answers", Unit::Bytes, answer_memory.clone());
         registry.register("compute_places_free", "Free places for long computations", places.clone());
         registry.register("stream_places_free", "Free places for streams", stream_places.clone());
+        let waiting = Family::default();
+        registry.register("compute_waiting", "Computations that wait for a thread", waiting.clone());
+        let tally = pool.tally();
+        registry.register_with_unit("compute_price", "Prices of long computations", Unit::Seconds, tally.prices.clone());
+        registry.register("compute_failures", "Computations without a result, by the reason", tally.failed.clone());
+        let system = System::registered(&mut registry);
         Self {
             registry,
             requests,
@@ -77,6 +105,8 @@ impl Metrics {
             closed,
             places,
             stream_places,
+            waiting,
+            system,
             body_memory,
             answer_memory,
             pool: pool.clone(),
@@ -90,7 +120,8 @@ impl Metrics {
         let method = ["GET", "POST", "HEAD"].into_iter().find(|known| method.as_str() == *known).unwrap_or("other");
         let labels = RequestLabels { method, route: route.to_owned(), status };
         self.requests.get_or_create(&labels).inc();
-        self.durations.observe(duration.as_secs_f64());
+        let labels = RouteLabels { route: labels.route };
+        self.durations.get_or_create(&labels).observe(duration.as_secs_f64());
     }
 
     /// A connection was opened.
@@ -114,6 +145,10 @@ impl Metrics {
         ] {
             gauge.set(i64::try_from(free).unwrap_or(i64::MAX));
         }
+        for (class, waiting) in ["short", "long"].into_iter().zip(self.pool.waiting()) {
+            self.waiting.get_or_create(&ClassLabels { class }).set(i64::try_from(waiting).unwrap_or(i64::MAX));
+        }
+        self.system.read();
         let mut text = String::new();
         encode(&mut text, &self.registry)?;
         Ok(text)

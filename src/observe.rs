@@ -11,13 +11,18 @@ use axum::http::header::X_CONTENT_TYPE_OPTIONS;
 use axum::http::{HeaderName, HeaderValue, Method, StatusCode};
 use axum::response::{IntoResponse, Response};
 
-use crate::answer;
+use crate::accepted::Accepted;
+use crate::pure::Source;
 use crate::state::Service;
+use crate::{answer, catalogue, packing};
 
-const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+pub(crate) const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
 /// The version of the model that answers, on every answer of the API.
-const MODEL_VERSION: HeaderName = HeaderName::from_static("x-model-version");
+pub(crate) const MODEL_VERSION: HeaderName = HeaderName::from_static("x-model-version");
+
+/// The version of the catalogue that it takes presets from, beside it: a word that changes with any record.
+pub(crate) const CATALOGUE_VERSION: HeaderName = HeaderName::from_static("x-catalogue-version");
 
 /// Longest request id taken over from a client (bytes).
 const LONGEST_ID: usize = 128;
@@ -32,17 +37,26 @@ pub(crate) struct Noted {
     method: Method,
     route: Option<MatchedPath>,
     is_of_api: bool,
+    coding: Option<Accepted>,
+    source: Option<Source>,
 }
 
 impl Noted {
     /// Notes a request that has arrived.
-    pub(crate) fn of(request: &Request) -> Self {
+    pub(crate) fn of(request: &Request, service: &Service) -> Self {
         let start = Instant::now();
         let id = request.headers().get(REQUEST_ID).filter(|id| is_harmless(id)).cloned().unwrap_or_else(new_id);
         let method = request.method().clone();
         let route = request.extensions().get::<MatchedPath>().cloned();
         let is_of_api = request.uri().path().starts_with("/v1/");
-        Self { start, id, method, route, is_of_api }
+        let coding = packing::wanted(request.headers());
+        let source = Source::of(request, service.settings());
+        Self { start, id, method, route, is_of_api, coding, source }
+    }
+
+    /// The answer to a client that has the answer already.
+    pub(crate) fn known(&self, request: &Request) -> Option<Response> {
+        self.source.as_ref()?.known(request.headers())
     }
 
     /// Its answer as it is sent, once it is noted, too.
@@ -53,11 +67,16 @@ impl Noted {
         let route = self.route.as_ref().map_or("none", MatchedPath::as_str);
         service.metrics().request(&self.method, route, status.as_u16(), duration);
         log(&self.id, &self.method, route, status, duration.as_micros());
+        let coding = self.coding.and_then(|coding| packing::pack(&mut response, coding, service.packers()));
+        if let Some(source) = self.source {
+            source.tag(&mut response, coding);
+        }
         let headers = response.headers_mut();
         headers.insert(REQUEST_ID, self.id);
         headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
         if self.is_of_api {
             headers.insert(MODEL_VERSION, HeaderValue::from_static(terramechanics::VERSION));
+            headers.insert(CATALOGUE_VERSION, HeaderValue::from_static(catalogue::VERSION));
         }
         response
     }

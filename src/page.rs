@@ -12,6 +12,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use rust_embed::{Embed, EmbeddedFile};
 
+use crate::accepted::Accepted;
 use crate::fixed::Fixed;
 use crate::name::Name;
 use crate::problem::Problem;
@@ -21,6 +22,11 @@ use terramechanics_reading::shortened;
 #[derive(Embed)]
 #[folder = "static/"]
 struct Files;
+
+/// Those of them that get shorter by it, as the build packed them.
+#[derive(Embed)]
+#[folder = "$OUT_DIR/packed/"]
+struct Packed;
 
 /// The page runs its own scripts and styles and asks its own server, nothing else.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; \
@@ -58,11 +64,15 @@ pub(crate) fn file(name: &str, request: &HeaderMap) -> Result<Response, Problem>
 
 fn fixed_file(name: &str, EmbeddedFile { data, metadata }: EmbeddedFile) -> Fixed {
     let version: String = metadata.sha256_hash()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
-    let bytes = match data {
+    let packed = Packed::get(name).map(|packed| (Accepted::Brotli, bytes(packed.data)));
+    Fixed::new(bytes(data), &version, content_type(name), packed.into_iter().collect())
+}
+
+fn bytes(data: Cow<'static, [u8]>) -> Bytes {
+    match data {
         Cow::Borrowed(bytes) => Bytes::from_static(bytes),
         Cow::Owned(bytes) => bytes.into(),
-    };
-    Fixed::new(bytes, &version, content_type(name))
+    }
 }
 
 fn content_type(name: &str) -> &'static str {

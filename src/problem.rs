@@ -1,5 +1,7 @@
 //! Failures as clients see them: RFC 9457 problem documents. The only place that knows HTTP statuses of failures.
 
+mod kind;
+
 use std::time::Duration;
 
 use axum::http::header::{ACCEPT_ENCODING, CONNECTION, CONTENT_TYPE, RETRY_AFTER};
@@ -8,6 +10,7 @@ use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use utoipa::ToSchema;
 
+pub(crate) use self::kind::Kind;
 use crate::coding::{self, UnknownCoding};
 use crate::compute::Stop;
 use crate::request::error_fault;
@@ -58,8 +61,8 @@ pub(crate) enum Problem {
     Crawling(Slowest),
     /// The request cannot be computed.
     Invalid(Vec<FieldFault>),
-    /// All places for long computations are taken.
-    Busy,
+    /// All places for long computations are taken, by work that usually takes so long.
+    Busy(Duration),
     /// All places for connections are taken, or the memory for large bodies or answers.
     Crowded,
     /// The answer was not ready in time.
@@ -81,9 +84,9 @@ pub(crate) enum Problem {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Problem)]
 pub(crate) struct ProblemBody {
-    /// Kind of the problem, for programs.
+    /// Kind of the problem, for programs: an address at this service, which answers with what the kind means.
     #[serde(rename = "type")]
-    #[schema(example = "urn:terramechanics:problem:invalid-input")]
+    #[schema(format = "uri-reference", example = "/problems/invalid-input")]
     kind: String,
     /// The kind in words.
     #[schema(example = "The request cannot be computed")]
@@ -106,8 +109,8 @@ pub(crate) struct ProblemBody {
     column: Option<usize>,
 }
 
-/// Seconds after which a busy service may be asked again.
-const RETRY_AFTER_SECONDS: u16 = 1;
+/// Shortest time after which a busy service is asked again.
+const SOONEST: Duration = Duration::from_secs(1);
 
 impl Problem {
     /// What the model refuses of a request whose fields are each right.
@@ -116,40 +119,26 @@ impl Problem {
     }
 
     pub(crate) fn status(&self) -> StatusCode {
-        match self {
-            Self::NotJson { .. } | Self::BrokenBody | Self::Ambiguous(_) | Self::Unreadable(_) => StatusCode::BAD_REQUEST,
-            Self::NotFound(_) => StatusCode::NOT_FOUND,
-            Self::MethodNotAllowed(_) => StatusCode::METHOD_NOT_ALLOWED,
-            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => StatusCode::REQUEST_TIMEOUT,
-            Self::TooLarge { .. } => StatusCode::PAYLOAD_TOO_LARGE,
-            Self::Invalid(_) | Self::TooCostly { .. } => StatusCode::UNPROCESSABLE_ENTITY,
-            Self::UnknownCoding | Self::NotJsonType | Self::NotSeriesType | Self::NotRowsType => {
-                StatusCode::UNSUPPORTED_MEDIA_TYPE
-            }
-            Self::Busy | Self::Crowded | Self::Late(_) => StatusCode::SERVICE_UNAVAILABLE,
-            Self::Internal => StatusCode::INTERNAL_SERVER_ERROR,
-        }
+        self.kind().status
     }
 
-    fn name_and_title(&self) -> (&'static str, &'static str) {
+    fn kind(&self) -> &'static Kind {
         match self {
-            Self::NotJson { .. } => ("not-json", "The body is not JSON"),
-            Self::BrokenBody => ("broken-body", "The body could not be received"),
-            Self::Ambiguous(_) => ("ambiguous-request", "The request is not clear"),
-            Self::UnknownCoding => ("unsupported-coding", "The body has a coding that is not known"),
-            Self::NotFound(_) => ("not-found", "There is nothing here"),
-            Self::MethodNotAllowed(_) => ("method-not-allowed", "The method is not allowed here"),
-            Self::Unreadable(_) => ("unreadable-series", "The series cannot be read"),
-            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => ("slow-body", "The body did not arrive in time"),
-            Self::TooLarge { .. } => ("too-large", "The body is too large"),
-            Self::NotJsonType => ("unsupported-media-type", "The body has to be JSON"),
-            Self::NotSeriesType => ("unsupported-media-type", "The body has to be JSON, CSV or NDJSON in UTF-8"),
-            Self::NotRowsType => ("unsupported-media-type", "The body has to be CSV or NDJSON in UTF-8, or an Arrow stream"),
-            Self::Invalid(_) => ("invalid-input", "The request cannot be computed"),
-            Self::Busy | Self::Crowded => ("busy", "The service is busy"),
-            Self::Late(_) => ("late", "The answer was not ready in time"),
-            Self::TooCostly { .. } => ("too-costly", "The computation takes too long"),
-            Self::Internal => ("internal", "The service failed"),
+            Self::NotJson { .. } => &kind::NOT_JSON,
+            Self::BrokenBody => &kind::BROKEN_BODY,
+            Self::Ambiguous(_) => &kind::AMBIGUOUS,
+            Self::UnknownCoding => &kind::CODING,
+            Self::NotFound(_) => &kind::NOT_FOUND,
+            Self::MethodNotAllowed(_) => &kind::METHOD_NOT_ALLOWED,
+            Self::Unreadable(_) => &kind::UNREADABLE,
+            Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => &kind::SLOW_BODY,
+            Self::TooLarge { .. } => &kind::TOO_LARGE,
+            Self::NotJsonType | Self::NotSeriesType | Self::NotRowsType => &kind::MEDIA_TYPE,
+            Self::Invalid(_) => &kind::INVALID,
+            Self::Busy(_) | Self::Crowded => &kind::BUSY,
+            Self::Late(_) => &kind::LATE,
+            Self::TooCostly { .. } => &kind::TOO_COSTLY,
+            Self::Internal => &kind::INTERNAL,
         }
     }
 
@@ -186,7 +175,7 @@ impl Problem {
                 [one] => format!("{}: {}", one.pointer, one.detail),
                 many => format!("{} faults, see errors", many.len()),
             },
-            Self::Busy => "all places for long computations are taken, try again soon".into(),
+            Self::Busy(_) => "all places for long computations are taken, try again soon".into(),
             Self::Crowded => "too many others are connected, send or read, try again soon".into(),
             Self::Late(limit) => format!("no answer within {} s, try again or ask for fewer points", limit.as_secs_f64()),
             Self::TooCostly { price, limit, spent: false } => format!(
@@ -213,14 +202,14 @@ impl From<UnknownCoding> for Problem {
 
 impl From<Stop> for Problem {
     fn from(_: Stop) -> Self {
-        Self::Busy
+        Self::Busy(Duration::ZERO)
     }
 }
 
 impl From<Problem> for ProblemBody {
     fn from(problem: Problem) -> Self {
-        let status = problem.status().as_u16();
-        let (name, title) = problem.name_and_title();
+        let Kind { status, title, .. } = *problem.kind();
+        let (status, kind) = (status.as_u16(), problem.kind().address());
         let (line, column) = match problem {
             Problem::NotJson { line, column, .. } => (Some(line), Some(column)),
             Problem::Unreadable(SeriesFault { line, column, .. }) => {
@@ -231,7 +220,6 @@ impl From<Problem> for ProblemBody {
         let detail = problem.detail();
         let errors = if let Problem::Invalid(errors) = problem { errors } else { Vec::new() };
         let errors = errors.into_iter().map(|fault| FieldFault { detail: legible(&fault.detail), ..fault }).collect();
-        let kind = format!("urn:terramechanics:problem:{name}");
         Self { kind, title, status, detail, errors, line, column }
     }
 }
@@ -239,12 +227,13 @@ impl From<Problem> for ProblemBody {
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let status = self.status();
+        let again = if let Self::Busy(ahead) = self { ahead.max(SOONEST) } else { SOONEST };
         let is_of_coding = self == Self::UnknownCoding;
         let is_ambiguous = matches!(self, Self::Ambiguous(_));
         let text = serde_json::to_vec(&ProblemBody::from(self)).unwrap_or_default();
         let mut response = (status, [(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"))], text).into_response();
         if status == StatusCode::SERVICE_UNAVAILABLE {
-            response.headers_mut().insert(RETRY_AFTER, RETRY_AFTER_SECONDS.into());
+            response.headers_mut().insert(RETRY_AFTER, (again.as_secs_f64().ceil() as u64).into());
         }
         if is_ambiguous {
             // What follows on the connection may be the rest of this request or the next one.

@@ -1,13 +1,18 @@
 //! The service put together: one function makes the router that the program serves and the tests call.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use axum::Router;
-use axum::http::Uri;
+use axum::http::header::{ACCEPT, CONTENT_ENCODING, CONTENT_TYPE, ETAG, IF_NONE_MATCH, RETRY_AFTER};
+use axum::http::{HeaderValue, Method, StatusCode, Uri};
+use axum::response::IntoResponse;
+use tower_http::cors::{AllowOrigin, CorsLayer};
 use utoipa::openapi::OpenApi as Document;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
+use crate::answer::WARNINGS;
 use crate::api::compare::{self, CompareCase};
 use crate::api::coupled::{self, CoupledCase};
 use crate::api::curves::plates::{self, PlatesCase};
@@ -22,13 +27,17 @@ use crate::api::stress_profile::{self, ProfileCase};
 use crate::api::towed::{self, TowedCase};
 use crate::api::uncertainty::{self, UncertaintyCase};
 use crate::api::vehicle::{self, VehicleCase};
-use crate::api::{batch, catalogue, health, limits, model, sweep, track, validation};
+use crate::api::{batch, catalogue, health, limits, model, problems, sweep, track, validation};
 use crate::contract::{self, Contract, Shown};
 use crate::entrance::Entrance;
+use crate::observe::{CATALOGUE_VERSION, MODEL_VERSION, REQUEST_ID};
 use crate::problem::Problem;
 use crate::state::Service;
 use crate::{docs, page};
 use terramechanics_reading::shortened;
+
+/// How long a browser keeps what it was told before it asked; none keeps it longer.
+const PREFLIGHT: Duration = Duration::from_secs(7200);
 
 /// The operations of the contract, in its order: a row for each.
 fn operations() -> Operations {
@@ -57,6 +66,8 @@ fn operations() -> Operations {
         .shown(routes!(validation::validation_set), validation::example_of_set)
         .plain(routes!(model::model))
         .plain(routes!(limits::limits))
+        .plain(routes!(problems::problems))
+        .plain(routes!(problems::problem))
         .plain(routes!(health::healthz))
         .plain(routes!(health::readyz))
         .plain(routes!(health::metrics))
@@ -90,7 +101,7 @@ pub fn contract() -> Arc<Contract> {
 /// The router of the service, with every layer on.
 pub fn app(service: Service) -> Router {
     let (routes, contract) = documented();
-    if let Some(url) = service.public_url() {
+    if let Some(url) = &service.outside().public_url {
         contract.served_at(url);
     }
     layered(routes.merge(page::routes()).merge(docs::routes()), contract, service)
@@ -99,11 +110,36 @@ pub fn app(service: Service) -> Router {
 /// `routes` with the fallbacks and the entrance of the service.
 pub fn layered(routes: Router<Service>, contract: Arc<Contract>, service: Service) -> Router {
     let known = contract.clone();
-    routes
-        .fallback(|uri: Uri| async move { nothing_at(uri.path(), &known) })
-        .method_not_allowed_fallback(|uri: Uri| async move { Problem::MethodNotAllowed(contract.methods_of(uri.path())) })
-        .layer(Entrance(service.clone()))
-        .with_state(service)
+    let routes = routes.fallback(|uri: Uri| async move { nothing_at(uri.path(), &known) }).method_not_allowed_fallback(
+        |method: Method, uri: Uri| async move {
+            // The router adds the header Allow.
+            if method == Method::OPTIONS {
+                return StatusCode::NO_CONTENT.into_response();
+            }
+            Problem::MethodNotAllowed(contract.methods_of(uri.path())).into_response()
+        },
+    );
+    let routes = match shared(&service.outside().origins) {
+        Some(shared) => routes.layer(shared),
+        None => routes,
+    };
+    routes.layer(Entrance(service.clone())).with_state(service)
+}
+
+/// What lets pages of these origins ask the service and read its answers (CORS); without one, browsers keep them from it.
+fn shared(origins: &[HeaderValue]) -> Option<CorsLayer> {
+    if origins.is_empty() {
+        return None;
+    }
+    let any = HeaderValue::from_static("*");
+    let allowed = if origins.contains(&any) { AllowOrigin::any() } else { AllowOrigin::list(origins.iter().cloned()) };
+    let layer = CorsLayer::new()
+        .allow_origin(allowed)
+        .allow_methods([Method::GET, Method::POST])
+        .allow_headers([ACCEPT, CONTENT_TYPE, CONTENT_ENCODING, IF_NONE_MATCH, REQUEST_ID])
+        .expose_headers([ETAG, RETRY_AFTER, REQUEST_ID, MODEL_VERSION, CATALOGUE_VERSION, WARNINGS])
+        .max_age(PREFLIGHT);
+    Some(layer)
 }
 
 fn nothing_at(path: &str, contract: &Contract) -> Problem {

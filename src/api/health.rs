@@ -1,5 +1,7 @@
 //! What operators ask: health, readiness, metrics.
 
+use std::time::Duration;
+
 use axum::extract::State;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
@@ -35,7 +37,11 @@ pub(crate) async fn healthz() -> Result<Response, Problem> {
 /// 503 from the moment the service was told to stop, so that a load balancer sends no more.
 #[utoipa::path(get, path = "/readyz", tag = "operations", responses((status = 200, description = "It takes requests", body = Health), Limits))]
 pub(crate) async fn readyz(State(service): State<Service>) -> Result<Response, Problem> {
-    if service.is_stopping() { Err(Problem::Busy) } else { json(&Health { status: "ready", version: env!("CARGO_PKG_VERSION") }) }
+    if service.is_stopping() {
+        Err(Problem::Busy(Duration::ZERO))
+    } else {
+        json(&Health { status: "ready", version: env!("CARGO_PKG_VERSION") })
+    }
 }
 
 /// Metrics for Prometheus

@@ -16,6 +16,7 @@ pub(crate) mod limits;
 pub(crate) mod model;
 pub(crate) mod operations;
 pub(crate) mod optimum;
+pub(crate) mod problems;
 pub(crate) mod resistances;
 pub(crate) mod responses;
 pub(crate) mod room;

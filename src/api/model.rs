@@ -6,6 +6,7 @@ mod percentages;
 
 use std::sync::LazyLock;
 
+use axum::http::HeaderMap;
 use axum::response::Response;
 use serde::{Deserialize, Serialize};
 use terramechanics::{Caution, CautionKind, ERRATA, SOURCES};
@@ -13,9 +14,10 @@ use utoipa::ToSchema;
 
 use self::laws::{LawFamily, ParameterNote};
 use super::responses::{InvalidQuery, Limits};
-use crate::answer::json_text;
+use crate::answer::JSON;
 use crate::catalogue::{self, Gravity};
 use crate::extract::NoQuery;
+use crate::fixed::Fixed;
 use crate::quantity::{self, About, Quantity, shown};
 use crate::warning::{self, Note};
 
@@ -226,8 +228,9 @@ static TEXT: LazyLock<String> = LazyLock::new(|| {
 /// For people and for programs: symbols, equations, methods, laws with their parameters, quantities of answers, what is refused, what is warned of,
 /// gravity, and where the letter as printed is not what is computed.
 #[utoipa::path(get, path = "/v1/model", tag = "catalogue", responses((status = 200, description = "The model", body = Model), InvalidQuery, Limits))]
-pub(crate) async fn model(_: NoQuery) -> Response {
-    json_text(TEXT.as_str())
+pub(crate) async fn model(headers: HeaderMap, _: NoQuery) -> Response {
+    static FIXED: LazyLock<Fixed> = LazyLock::new(|| Fixed::tagged(TEXT.as_str().into(), JSON));
+    FIXED.answer(&headers)
 }
 
 #[cfg(test)]

@@ -106,7 +106,10 @@ impl IntoResponses for Limits {
         problems(vec![
             (Problem::MethodNotAllowed(Some("POST".into())), "The method is not allowed; the header Allow lists those that are"),
             (Problem::Internal, "The service failed; the request id leads to the cause in the log"),
-            (Problem::Busy, "The service is busy or the answer took too long; the header Retry-After says when to try again"),
+            (
+                Problem::Busy(Duration::ZERO),
+                "The service is busy or the answer took too long; the header Retry-After says when to try again",
+            ),
         ])
     }
 }

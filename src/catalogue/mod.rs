@@ -29,6 +29,9 @@ static SOILS: LazyLock<Vec<SoilRecord>> = LazyLock::new(|| {
     records.into_iter().map(SoilRecord::with_gravity).collect()
 });
 
+/// A word that changes with any record.
+pub(crate) const VERSION: &str = env!("VERSION_OF_CATALOGUE");
+
 fn compiled_in<T: serde::de::DeserializeOwned>(text: &str) -> Vec<T> {
     serde_json::from_str(text).expect("the catalogue is compiled in and its tests read it")
 }

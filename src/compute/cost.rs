@@ -287,6 +287,11 @@ impl Cost {
         self.usual <= 0.5 * SLICE.as_nanos() as f64
     }
 
+    /// What the work usually takes.
+    pub(super) fn usual(self) -> Duration {
+        duration(self.usual)
+    }
+
     /// The price.
     pub(super) fn price(self) -> Duration {
         duration(self.price)

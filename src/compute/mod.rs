@@ -4,6 +4,7 @@
 mod cost;
 mod pace;
 mod pool;
+mod tally;
 mod turns;
 
 pub(crate) use cost::{Cost, Point, allowance};

@@ -4,13 +4,14 @@
 //! caller has gone, its deadline has passed or it has taken twice its price.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use super::cost::Cost;
 use super::pace::{Pace, Stop, Terms};
+use super::tally::Tally;
 use super::turns::{Class, Turns};
 use crate::problem::Problem;
 
@@ -50,6 +51,10 @@ pub(crate) struct Pool {
     places: Arc<Semaphore>,
     short_places: Arc<Semaphore>,
     stream_places: Arc<Semaphore>,
+    /// What the work that has a place usually takes (microseconds of processor time).
+    ahead: Arc<AtomicU64>,
+    tally: Tally,
+    threads: usize,
     deadline: Duration,
     price_limit: Duration,
 }
@@ -62,6 +67,9 @@ impl Pool {
             places: places(bounds.places),
             short_places: places(bounds.places * SHORT_PLACES),
             stream_places: places(bounds.stream_places),
+            ahead: Arc::default(),
+            tally: Tally::new(),
+            threads: bounds.threads,
             deadline: bounds.deadline,
             price_limit: bounds.price_limit,
         }
@@ -77,12 +85,22 @@ impl Pool {
         self.stream_places.available_permits()
     }
 
+    /// How much short and how much long work waits for a thread.
+    pub(crate) fn waiting(&self) -> [usize; 2] {
+        self.turns.waiting()
+    }
+
+    /// What was counted.
+    pub(crate) fn tally(&self) -> &Tally {
+        &self.tally
+    }
+
     /// A place for a computation that goes on in slices.
     ///
     /// # Errors
     /// [`Problem::Busy`] if none is free.
     pub(crate) fn place(&self) -> Result<Place, Problem> {
-        Place::of(&self.places, &self.turns)
+        self.counted(self.place_among(&self.places, Cost::NONE))
     }
 
     /// A place for a stream.
@@ -90,7 +108,25 @@ impl Pool {
     /// # Errors
     /// [`Problem::Busy`] if none is free.
     pub(crate) fn stream_place(&self) -> Result<Place, Problem> {
-        Place::of(&self.stream_places, &self.turns)
+        self.counted(self.place_among(&self.stream_places, Cost::NONE))
+    }
+
+    fn counted<T>(&self, result: Result<T, Problem>) -> Result<T, Problem> {
+        self.tally.count(&result);
+        result
+    }
+
+    fn place_among(&self, places: &Arc<Semaphore>, cost: Cost) -> Result<Place, Problem> {
+        let permit = places.clone().try_acquire_owned().map_err(|_| Problem::Busy(self.time_ahead()))?;
+        let usual = cost.usual().as_micros() as u64;
+        self.ahead.fetch_add(usual, Ordering::Relaxed);
+        Ok(Place { _permit: permit, turns: self.turns.clone(), usual, ahead: self.ahead.clone() })
+    }
+
+    /// The time that the work with a place usually takes from here, if it has only begun; no work takes longer than its deadline.
+    fn time_ahead(&self) -> Duration {
+        let ahead = Duration::from_micros(self.ahead.load(Ordering::Relaxed));
+        (ahead / u32::try_from(self.threads.max(1)).unwrap_or(u32::MAX)).min(self.deadline)
     }
 
     /// A place for a stream of this cost, which may last for so long.
@@ -100,7 +136,7 @@ impl Pool {
     pub(crate) fn stream_place_for(&self, cost: Cost, longest: Duration) -> Result<Place, Problem> {
         let price = cost.price();
         if price > longest {
-            return Err(Problem::TooCostly { price, limit: longest, spent: false });
+            return self.counted(Err(Problem::TooCostly { price, limit: longest, spent: false }));
         }
         self.stream_place()
     }
@@ -119,13 +155,22 @@ impl Pool {
         if cost.is_next_to_nothing() {
             return work(&Pace::at_once());
         }
+        self.counted(self.run_on_a_thread(cost, work).await)
+    }
+
+    async fn run_on_a_thread<T, F>(&self, cost: Cost, work: F) -> Result<T, Problem>
+    where
+        T: Send + 'static,
+        F: FnOnce(&Pace) -> Result<T, Problem> + Send + 'static,
+    {
         let price = cost.price();
         if price > self.price_limit {
             return Err(Problem::TooCostly { price, limit: self.price_limit, spent: false });
         }
         let class = if cost.is_short() { Class::Short } else { Class::Long };
         let places = if class == Class::Short { &self.short_places } else { &self.places };
-        let place = Place::of(places, &self.turns)?;
+        let place = self.place_among(places, cost)?;
+        self.tally.prices.observe(price.as_secs_f64());
         let caller = Caller::default();
         let terms = Terms {
             gone: caller.0.clone(),
@@ -169,14 +214,17 @@ impl Drop for Caller {
 pub(crate) struct Place {
     _permit: OwnedSemaphorePermit,
     turns: Turns,
+    usual: u64,
+    ahead: Arc<AtomicU64>,
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.ahead.fetch_sub(self.usual, Ordering::Relaxed);
+    }
 }
 
 impl Place {
-    fn of(places: &Arc<Semaphore>, turns: &Turns) -> Result<Self, Problem> {
-        let permit = places.clone().try_acquire_owned().map_err(|_| Problem::Busy)?;
-        Ok(Self { _permit: permit, turns: turns.clone() })
-    }
-
     /// What a slice of work returns. It ends by itself, after about [`SLICE`](super::SLICE).
     ///
     /// # Errors

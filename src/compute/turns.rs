@@ -54,6 +54,12 @@ impl Turns {
         !state.short.is_empty() || !state.long.is_empty()
     }
 
+    /// How much short and how much long work waits for a turn.
+    pub(super) fn waiting(&self) -> [usize; 2] {
+        let state = self.lock();
+        [state.short.len(), state.long.len()]
+    }
+
     fn claim(&self, class: Class) -> Result<Turn, Receiver<Turn>> {
         let mut state = self.lock();
         if state.free > 0 {

@@ -6,7 +6,6 @@ mod paths;
 mod shared;
 
 use std::fmt;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, OnceLock};
 
 use axum::Extension;
@@ -40,7 +39,7 @@ use crate::state::Service;
         description = "Steady forces of a rigid wheel, with or without lugs, rolling on deformable soil: drawbar pull, normal force, torque, \
                        sinkage and stresses. SI units and radians; the suffix of a field is its unit. Slip is −1 (locked) … 0 (rolling) … 1 \
                        (spinning). Angles are measured at the wheel's centre from straight down, positive towards the front. A null for a field of a request that may be left \
-                       out is as if it were left out. Every failure is an RFC 9457 problem document. Every answer of /v1 names the version of the model in the header X-Model-Version.",
+                       out is as if it were left out. Every failure is an RFC 9457 problem document. Every answer of /v1 names the version of the model in the header X-Model-Version and that of the catalogue in X-Catalogue-Version.",
         contact(name = "The terramechanics project"),
         license(name = "MIT", identifier = "MIT")
     ),
@@ -119,12 +118,7 @@ impl Contract {
 
     /// The text as it is sent.
     fn fixed(&self) -> &Fixed {
-        self.fixed.get_or_init(|| {
-            let text = self.text().clone();
-            let mut hash = DefaultHasher::new();
-            text.hash(&mut hash);
-            Fixed::new(text, &format!("{:016x}", hash.finish()), "application/json")
-        })
+        self.fixed.get_or_init(|| Fixed::tagged(self.text().clone(), "application/json"))
     }
 
     /// The operations of these tags alone.

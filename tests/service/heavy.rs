@@ -55,7 +55,7 @@ fn work_ends_when_its_client_goes() {
 fn a_price_above_the_limit_is_refused_before_the_work() {
     let server = Server::start(&["--price-limit", "1"]);
     let answer = server.ask("/v1/slip-sweep", Some(&stiff(2).to_string()));
-    assert!(answer.starts_with("HTTP/1.1 422 ") && answer.contains("problem:too-costly"), "{answer}");
+    assert!(answer.starts_with("HTTP/1.1 422 ") && answer.contains("/problems/too-costly"), "{answer}");
     // It is the price that is published.
     let published = server.ask("/v1/limits", None);
     let published: Value = serde_json::from_str(published.split("\r\n\r\n").nth(1).expect("a body")).expect("JSON");
@@ -107,6 +107,6 @@ fn a_late_answer_is_a_problem_and_its_work_ends() {
     let mut stream = send(&server, "/v1/slip-sweep", &stiff(10_001));
     let mut answer = String::new();
     stream.read_to_string(&mut answer).expect("an answer");
-    assert!(answer.starts_with("HTTP/1.1 503 ") && answer.contains("problem:late"), "{answer}");
+    assert!(answer.starts_with("HTTP/1.1 503 ") && answer.contains("/problems/late"), "{answer}");
     wait_until(&server, 0);
 }

@@ -55,7 +55,7 @@ fn a_head_that_can_be_read_in_two_ways_is_refused_and_the_connection_closed() {
         let answer = answer_to(&server, format!("{head}\r\n0\r\n\r\n{next}").as_bytes());
         assert!(answer.contains(" 400 Bad Request\r\n"), "{head}: {answer}");
         assert_eq!(answer.matches("HTTP/1.").count(), 1, "{head}: {answer}");
-        assert_eq!(answer.contains("urn:terramechanics:problem:ambiguous-request"), is_ours, "{head}: {answer}");
+        assert_eq!(answer.contains("/problems/ambiguous-request"), is_ours, "{head}: {answer}");
     }
 }
 
@@ -162,7 +162,7 @@ fn a_packed_body_that_is_broken_is_a_400() {
         (followed, "more follows"),
     ] {
         let problem = coded("gzip", broken).problem(400);
-        assert_eq!(problem["type"], "urn:terramechanics:problem:broken-body", "{why}");
+        assert_eq!(problem["type"], "/problems/broken-body", "{why}");
     }
 }
 

@@ -26,6 +26,7 @@ mod identify_linear;
 mod interface;
 mod known_load;
 mod log;
+mod manners;
 mod optimum;
 mod page;
 mod presets;

@@ -357,5 +357,5 @@ fn a_search_that_would_take_too_long_is_refused_before_it_starts() {
         "of": "forces", "request": request, "variables": wheels(), "minimise": "torque_n_m", "evaluations": 20_000, "starts": 64
     });
     let problem = post("/v1/optimum", &body).problem(422);
-    assert_eq!(problem["type"], "urn:terramechanics:problem:too-costly");
+    assert_eq!(problem["type"], "/problems/too-costly");
 }

@@ -2,7 +2,7 @@
 
 use axum::body::Body;
 
-use terramechanics_server::{Limits, Service};
+use terramechanics_server::{Limits, Outside, Service};
 
 use crate::asking::{get, request, send, send_to, send_unpacking};
 
@@ -118,6 +118,7 @@ fn the_contract_names_the_public_address() {
     let servers =
         |service| send_to(service, request("GET", "/openapi.json", &[], Body::empty())).ok()["servers"][0]["url"].clone();
     let public_url = "https://example.org/soil";
-    assert_eq!(servers(Service::known_as(Limits::default(), Some(public_url.into()))), public_url);
+    let outside = Outside { public_url: Some(public_url.into()), ..Outside::default() };
+    assert_eq!(servers(Service::seen_as(Limits::default(), outside)), public_url);
     assert_eq!(servers(Service::new(Limits::default())), "/");
 }

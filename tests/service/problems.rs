@@ -317,3 +317,29 @@ fn whatever_is_sent_the_answer_is_no_500() {
         }
     }
 }
+
+#[test]
+fn the_type_of_a_problem_answers_with_its_meaning() {
+    let failures = [
+        (get("/nowhere"), 404),
+        (get("/v1/forces"), 422),
+        (post_text("/v1/forces", "{"), 400),
+        (send(request("DELETE", "/v1/forces", &[], Body::empty())), 405),
+        (send(request("POST", "/v1/forces", &[("content-type", "text/plain")], "x")), 415),
+    ];
+    for (failure, status) in failures {
+        let problem = failure.problem(status);
+        let kind = get(problem["type"].as_str().expect("an address")).json();
+        assert_eq!(kind["status"], status);
+        assert_eq!(kind["title"], problem["title"]);
+        assert!(kind["meaning"].as_str().is_some_and(|text| text.len() > 20), "{kind}");
+    }
+    let all = get("/problems").json();
+    let all = all["problems"].as_array().expect("kinds");
+    for kind in all {
+        assert_eq!(&get(&format!("/problems/{}", kind["name"].as_str().expect("a name"))).json(), kind);
+    }
+    assert!(all.len() >= 15);
+    let unknown = get("/problems/bussy").problem(404);
+    assert!(unknown["detail"].as_str().expect("words").contains("did you mean `busy`?"), "{unknown}");
+}

@@ -23,6 +23,45 @@ fn it_serves_and_counts() {
     }
 }
 
+/// The metrics that the queries of the dashboard name.
+fn metrics_of_the_dashboard() -> Vec<String> {
+    let text =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/deploy/grafana/terramechanics.json")).expect("a file");
+    let dashboard: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let panels = dashboard["panels"].as_array().expect("panels");
+    let targets = panels.iter().flat_map(|panel| panel["targets"].as_array().expect("targets"));
+    let queries = targets.map(|target| target["expr"].as_str().expect("a query"));
+    let names = queries.flat_map(|query| {
+        let named = query.split('{').map(|before| before.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or(""));
+        named.filter(|name| name.contains('_')).map(str::to_owned).collect::<Vec<_>>()
+    });
+    names.collect()
+}
+
+#[test]
+fn the_dashboard_shows_metrics_that_there_are() {
+    let server = Server::start(&[]);
+    server.ask("/healthz", None);
+    let metrics = server.ask("/metrics", None);
+    let named = metrics_of_the_dashboard();
+    assert!(named.len() >= 17, "{named:?}");
+    for name in named {
+        let is_there = metrics.lines().any(|line| line.strip_prefix(&name).is_some_and(|rest| rest.starts_with(['{', ' '])));
+        assert!(is_there, "{name} in {metrics}");
+    }
+    let descriptions: Vec<&str> = metrics.lines().filter(|line| line.starts_with("# TYPE ")).collect();
+    let distinct: std::collections::BTreeSet<&str> = descriptions.iter().copied().collect();
+    assert_eq!(distinct.len(), descriptions.len(), "a metric is described once");
+}
+
+#[test]
+fn work_that_was_refused_is_counted_by_its_reason() {
+    let server = Server::start(&["--price-limit", "1"]);
+    let refused = server.ask("/v1/slip-sweep", Some(&crate::heavy::stiff(10_001).to_string()));
+    assert!(refused.starts_with("HTTP/1.1 422 "), "{refused}");
+    assert!(server.ask("/metrics", None).contains("compute_failures_total{reason=\"too_costly\"} 1"));
+}
+
 #[test]
 fn healthcheck_tells_by_its_exit_code() {
     let mut server = Server::start(&[]);

@@ -255,7 +255,7 @@ fn a_sweep_beyond_its_price_is_refused_before_the_work() {
     let axes = json!([{"field": "/slip", "from": 0, "to": 1, "points": 100_000}]);
     let heavy = json!({"slip_angle_rad": 0.2, "sinkage_m": null, "normal_load_n": 80});
     let problem = post("/v1/sweep", &sweep(heavy, axes)).problem(422);
-    assert_eq!(problem["type"], "urn:terramechanics:problem:too-costly");
+    assert_eq!(problem["type"], "/problems/too-costly");
     assert!(problem["detail"].as_str().expect("a detail").contains("60 s is the most"), "{problem}");
 }
 

@@ -250,7 +250,7 @@ fn what_is_wrong_with_a_table_is_told_with_line_and_column() {
         let place = (problem["line"].as_u64(), problem["column"].as_u64().unwrap_or(0));
         assert_eq!(place, (Some(line), column), "{text:?} {problem}");
         assert!(problem["detail"].as_str().is_some_and(|detail| detail.contains(part)), "{problem}");
-        assert_eq!(problem["type"], "urn:terramechanics:problem:unreadable-series");
+        assert_eq!(problem["type"], "/problems/unreadable-series");
     }
     for empty in ["", "\n\n", "# nothing\n", "\u{feff}"] {
         assert!(csv(empty).problem(400)["detail"].as_str().is_some_and(|detail| detail.contains("no header")), "{empty:?}");

@@ -294,5 +294,5 @@ fn faults_are_named_all_at_once() {
 fn what_would_take_too_long_is_refused_before_it_begins() {
     let body = on_stations(json!({"drive": "equal_torque", "slope_rad": {"from": 0, "to": 0.3, "points": 10_001}}));
     let problem = post("/v1/vehicle", &body).problem(422);
-    assert_eq!(problem["type"], "urn:terramechanics:problem:too-costly");
+    assert_eq!(problem["type"], "/problems/too-costly");
 }

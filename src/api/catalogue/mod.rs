@@ -6,15 +6,17 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use axum::body::Bytes;
+use axum::http::HeaderMap;
 use axum::response::Response;
 use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::responses::{InvalidQuery, Limits, UnknownName};
-use crate::answer::{csv_text, json, json_text};
+use crate::answer::{CSV, JSON, json};
 use crate::catalogue::{self, SoilRecord, SoilView, WheelRecord, WheelView};
 use crate::contract::Example;
 use crate::extract::{Asked, Format, FormatParameter, NoQuery};
+use crate::fixed::Fixed;
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::request::Accepted;
@@ -47,15 +49,18 @@ struct SoilsReply {
     params(WheelsQuery, FormatParameter),
     responses((status = 200, description = "The wheels", content((WheelsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn wheels(Asked { case: Accepted { case: WheelsCase(kind), .. }, format }: Asked<WheelsCase>) -> Response {
+pub(crate) async fn wheels(
+    headers: HeaderMap,
+    Asked { case: Accepted { case: WheelsCase(kind), .. }, format }: Asked<WheelsCase>,
+) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::wheel_kinds(), |kind| {
             let records = || catalogue::wheels().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
             let json = text(&WheelsReply { wheels: records().map(|record| record.view()).collect() });
-            Texts { json, csv: catalogue::wheels_table(records()).into() }
+            Texts::of(json, catalogue::wheels_table(records()))
         })
     });
-    LISTS.answer(kind, format)
+    LISTS.answer(kind, format, &headers)
 }
 
 /// The soils of the catalogue
@@ -69,21 +74,30 @@ pub(crate) async fn wheels(Asked { case: Accepted { case: WheelsCase(kind), .. }
     params(SoilsQuery, FormatParameter),
     responses((status = 200, description = "The soils", content((SoilsReply = "application/json"), (String = "text/csv"))), InvalidQuery, Limits)
 )]
-pub(crate) async fn soils(Asked { case: Accepted { case: SoilsCase(kind), .. }, format }: Asked<SoilsCase>) -> Response {
+pub(crate) async fn soils(
+    headers: HeaderMap,
+    Asked { case: Accepted { case: SoilsCase(kind), .. }, format }: Asked<SoilsCase>,
+) -> Response {
     static LISTS: LazyLock<Lists> = LazyLock::new(|| {
         Lists::of(&catalogue::soil_kinds(), |kind| {
             let records = || catalogue::soils().iter().filter(move |record| kind.is_none_or(|kind| record.kind == kind));
             let json = text(&SoilsReply { soils: records().map(|record| record.view()).collect() });
-            Texts { json, csv: catalogue::soils_table(records()).into() }
+            Texts::of(json, catalogue::soils_table(records()))
         })
     });
-    LISTS.answer(kind, format)
+    LISTS.answer(kind, format, &headers)
 }
 
 /// A list in both formats.
 struct Texts {
-    json: Bytes,
-    csv: Bytes,
+    json: Fixed,
+    csv: Fixed,
+}
+
+impl Texts {
+    fn of(json: Bytes, csv: Vec<u8>) -> Self {
+        Self { json: Fixed::negotiated(json, JSON), csv: Fixed::negotiated(csv.into(), CSV) }
+    }
 }
 
 /// The list of all entries, and that of each kind: they do not change, so each is written once.
@@ -97,11 +111,11 @@ impl Lists {
         Self { all: list(None), by_kind: kinds.iter().map(|&kind| (kind, list(Some(kind)))).collect() }
     }
 
-    fn answer(&self, kind: Option<&'static str>, format: Format) -> Response {
+    fn answer(&self, kind: Option<&'static str>, format: Format, request: &HeaderMap) -> Response {
         let texts = kind.and_then(|kind| self.by_kind.get(kind)).unwrap_or(&self.all);
         match format {
-            Format::Json => json_text(texts.json.clone()),
-            Format::Csv => csv_text(texts.csv.clone()),
+            Format::Json => texts.json.answer(request),
+            Format::Csv => texts.csv.answer(request),
         }
     }
 }

@@ -8,8 +8,8 @@ mod reply;
 
 use std::sync::OnceLock;
 
-use axum::body::Bytes;
 use axum::extract::State;
+use axum::http::HeaderMap;
 use axum::response::Response;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -17,10 +17,11 @@ use utoipa::ToSchema;
 
 use super::catalogue::unknown;
 use super::responses::{InvalidQuery, Limits, UnknownName};
-use crate::answer::{json_text, written};
+use crate::answer::{JSON, written};
 use crate::compute::{Cost, Pace};
 use crate::contract::Example;
 use crate::extract::{AskedFormat, FormatParameter, NoQuery};
+use crate::fixed::Fixed;
 use crate::name::Name;
 use crate::problem::Problem;
 use crate::state::Service;
@@ -46,13 +47,13 @@ fn sets() -> &'static [ValidationSet] {
 }
 
 /// All of it, as it is sent. The fits are made for those alone who ask for everything.
-static TEXT: OnceLock<Bytes> = OnceLock::new();
+static TEXT: OnceLock<Fixed> = OnceLock::new();
 
-fn text() -> &'static Bytes {
+fn text() -> &'static Fixed {
     TEXT.get_or_init(|| {
         let held_out = validation::held_out().map(HeldOutReply::from).collect();
         let reply = ValidationReply { sets: sets(), held_out, pooled: pooled(sets()) };
-        serde_json::to_vec(&reply).unwrap_or_default().into()
+        Fixed::tagged(serde_json::to_vec(&reply).unwrap_or_default().into(), JSON)
     })
 }
 
@@ -69,8 +70,8 @@ fn cost<T>(known: &OnceLock<T>, fits: usize) -> Cost {
 /// `bulldozing`. The same comes as a table for one set. `held_out` has parameters that were fitted to one part of the
 /// measurements and scored on another, `pooled` the errors over several sets beside those that other programs publish.
 #[utoipa::path(get, path = "/v1/validation", tag = "catalogue", responses((status = 200, description = "The sets", body = ValidationReply), InvalidQuery, Limits))]
-pub(crate) async fn validation(State(service): State<Service>, _: NoQuery) -> Result<Response, Problem> {
-    service.pool().run(cost(&TEXT, validation::fits()), |_| Ok(json_text(text().clone()))).await
+pub(crate) async fn validation(State(service): State<Service>, headers: HeaderMap, _: NoQuery) -> Result<Response, Problem> {
+    service.pool().run(cost(&TEXT, validation::fits()), move |_| Ok(text().answer(&headers))).await
 }
 
 /// One set of published measurements

@@ -41,7 +41,7 @@ fn a_full_pool_is_busy_and_frees_its_places() {
             tokio::spawn(async move { pool.run(LONG, move |_| wait.recv().map_err(|_| Problem::Internal)).await })
         };
         until(|| pool.free_places() == 0).await;
-        assert_eq!(pool.run(LONG, |_| Ok(())).await, Err(Problem::Busy));
+        assert_eq!(pool.run(LONG, |_| Ok(())).await, Err(Problem::Busy(LONG.usual())));
         assert_eq!(pool.run(Cost::NONE, |_| Ok(7)).await, Ok(7), "what costs nothing needs no place");
         release.send(()).expect("the first is waiting");
         assert_eq!(first.await.expect("no panic"), Ok(()));

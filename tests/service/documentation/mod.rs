@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod clients;
+mod dependencies;
 mod evidence;
 mod links;
 mod methods;

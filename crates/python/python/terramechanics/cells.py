@@ -24,7 +24,7 @@ def unfit(name: str, kind: object) -> Refused:
     pointer = "/" + name.replace(".", "/")
     detail = f"must be a column of numbers, texts or a dictionary of texts, not {kind}"
     return Refused({
-        "type": "urn:terramechanics:problem:invalid-input", "title": "The request cannot be computed", "status": 422,
+        "type": "/problems/invalid-input", "title": "The request cannot be computed", "status": 422,
         "detail": f"{pointer}: {detail}", "errors": [{"pointer": pointer, "detail": detail}],
     })  # fmt: skip
 
