@@ -30,6 +30,7 @@ mod optimum;
 mod page;
 mod presets;
 mod problems;
+mod public_tests;
 mod quantities;
 mod query;
 mod relayed;
