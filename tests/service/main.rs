@@ -60,6 +60,7 @@ mod uncertainty_posterior;
 mod uncertainty_spread;
 mod validation;
 mod validation_inputs;
+mod validation_known_load;
 mod validation_laws;
 mod vehicle;
 mod warnings;

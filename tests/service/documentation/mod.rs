@@ -8,6 +8,7 @@ mod methods;
 mod operations;
 mod optimum;
 mod readme;
+mod uncertain_inputs;
 mod uncertainty;
 mod validation;
 
