@@ -175,9 +175,8 @@ fn every_entry_computes_or_says_what_it_lacks() {
     assert!(computed > 20 * complete.len(), "only {computed} pairs were computed");
 }
 
-/// What `modulus_unlike_soil` calls the spread of a kind: the largest pressure at 10 mm under a plate 0.1 m wide over the smallest, where at
-/// least two soils of the kind have a law of Bekker's that is no guess. Kinds that have clay beside sand, or grains beside ice, lie apart
-/// by more.
+/// What `modulus_unlike_soil` calls the spread of a kind: the largest pressure at 10 mm under a plate 0.1 m wide over the smallest, of
+/// the soils whose law is Bekker's and no guess. Kinds that have clay beside sand, or grains beside ice, lie apart by more.
 #[test]
 fn the_pressures_of_a_kind_lie_apart_by_less_than_what_is_warned_of() {
     let of_kind = |kind: &str| {

@@ -263,7 +263,8 @@ fn a_published_exponent_is_enough_under_a_known_load() {
     assert_eq!(found["sinkage_exponent"], soil["values"]["n0"]["value"]);
 }
 
-/// Loads of a hundred times and a tenth of what the soil carries at that sinkage are told; those that the soils of one kind could carry are not.
+/// Loads of a hundred times and a tenth of what the soil carries at that sinkage are told, those that another soil of its kind could
+/// carry are not.
 #[test]
 fn a_load_that_the_soil_does_not_carry_is_told() {
     let body = wheel(json!({"soil": {"cohesion_pa": 0}}));

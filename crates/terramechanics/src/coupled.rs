@@ -167,7 +167,8 @@ impl CoupledForces {
     }
 }
 
-/// What is to be taken with care of the coupled forms at this slip, where it is known, and sinkage (m), whatever load and torque are.
+/// What is to be taken with care of the coupled forms at this sinkage (m) and, where it is known, this slip, whatever load and torque
+/// are.
 pub(crate) fn coupled_cautions(system: &WheelOnSoil, slip: Option<Slip>, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
     let beyond = slip.and_then(|slip| SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio()));
     let own = [DEEP_SINKAGE.of(sinkage / system.wheel.radius()), beyond];

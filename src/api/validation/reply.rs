@@ -79,8 +79,8 @@ struct ValidationResult {
     #[schema(example = "quadrature")]
     series: &'static str,
     method: &'static str,
-    /// Where the sinkage beside a known load comes from, `measured` at each point or `from_standstill` by (18) from the first; absent where it
-    /// is solved for the load.
+    /// Where the sinkage beside a known load comes from, `measured` at each point or `from_standstill` by (18) from the first;
+    /// absent where it is solved for the load.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "measured")]
     sinkage_known: Option<&'static str>,

@@ -59,7 +59,8 @@ kinds! {
     };
     MODULUS_UNLIKE_SOIL = CautionKind {
         code: "modulus_unlike_soil",
-        meaning: "The sinkage modulus that load and sinkage show together is far from that of the soil's own pressure–sinkage law. The                   soils of one kind lie apart by less.",
+        meaning: "The sinkage modulus that load and sinkage show together is far from that of the soil's own pressure–sinkage law. The \
+                  soils of one kind lie apart by less.",
         advice: "Check load, sinkage and soil, and their units. The soil's own modulus has no influence; its strength has.",
         parameter: Some(&WheelOnSoil::NORMAL_LOAD),
         range: Some(TestedRange {
