@@ -103,7 +103,7 @@ struct Advice {
     when: String,
     /// The method to take, or the operation.
     take: String,
-    /// Root mean square error of the pull over the load on public tests, with nothing fitted.
+    /// Root mean square error of the pull over the load on public tests. Nothing was fitted unless it says so.
     pull_error: String,
 }
 

@@ -5,6 +5,7 @@
 
 mod extent;
 mod gravity;
+mod published;
 mod record;
 mod size;
 mod spread;

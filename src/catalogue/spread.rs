@@ -5,9 +5,9 @@
 
 use terramechanics::{JanosiHanamoto, Parameter, PressureSinkage, Soil};
 
+use super::published::founded;
 use super::record::SoilRecord;
 use super::soils;
-use super::substitutes::founded;
 
 /// The published spread of the kind of a soil.
 #[derive(Debug, Clone, PartialEq)]

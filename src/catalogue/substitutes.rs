@@ -7,7 +7,8 @@ use serde::Serialize;
 use terramechanics::{JanosiHanamoto, Parameter, PressureSinkage, Soil, Wheel};
 use utoipa::ToSchema;
 
-use super::record::{Grade, SoilRecord, Values, WheelRecord};
+use super::published::{Published, Spread, of_kind_or_all};
+use super::record::{SoilRecord, WheelRecord};
 use super::{soil, soils, wheels};
 
 /// A value that a request takes with `"assume": true` where none was published.
@@ -27,6 +28,9 @@ pub(crate) struct Substitute {
     pub(crate) low: f64,
     /// The largest one.
     pub(crate) high: f64,
+    /// How many independent sources published these values: two fits of one laboratory, or two rows of one table, are one.
+    #[schema(example = 5)]
+    pub(crate) sources: usize,
 }
 
 impl Substitute {
@@ -69,42 +73,6 @@ impl WheelRecord {
     }
 }
 
-/// The median of numbers in ascending order; of an even number of them, the mean of the two in the middle.
-fn median(ascending: &[f64]) -> Option<f64> {
-    let upper = ascending.get(ascending.len() / 2)?;
-    let lower = ascending.get(ascending.len().checked_sub(1)? / 2)?;
-    Some(0.5 * (lower + upper))
-}
-
-/// The middle and the ends of numbers, and how many there are.
-struct Spread {
-    count: usize,
-    median: f64,
-    low: f64,
-    high: f64,
-}
-
-impl Spread {
-    fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
-        let mut values: Vec<f64> = values.collect();
-        values.sort_by(f64::total_cmp);
-        Some(Self { count: values.len(), median: median(&values)?, low: *values.first()?, high: *values.last()? })
-    }
-
-    /// What the value is: the median of `what` over entries, or that of the only one there is.
-    fn in_words(&self, what: &str, [one, several]: [&str; 2], which: &str) -> String {
-        match self.count {
-            1 => format!("{what} of the one {one} {which} that publishes it"),
-            count => format!("median {what} of the {count} {several} {which} that publish it"),
-        }
-    }
-}
-
-/// What was published of a value by those who measured or quoted it. What was itself assigned from elsewhere does not count.
-pub(super) fn founded(values: &Values, grade: Grade, name: &str) -> Option<f64> {
-    values.get(name).filter(|value| value.grade.unwrap_or(grade) != Grade::Proxy).map(|value| value.value)
-}
-
 /// What stands in for the missing values of a soil.
 fn of_soil(record: &SoilRecord) -> Vec<Substitute> {
     let own = [Soil::COHESION, Soil::FRICTION_ANGLE, JanosiHanamoto::MODULUS];
@@ -122,22 +90,11 @@ fn of_soil(record: &SoilRecord) -> Vec<Substitute> {
 fn of_other_soils(record: &SoilRecord, parameter: &Parameter) -> Option<Substitute> {
     let published = |of_kind: bool| {
         let alike = soils().iter().filter(move |other| !of_kind || other.kind == record.kind);
-        Spread::of(alike.filter_map(|other| founded(&other.values, other.grade, parameter.name)))
+        Spread::of(alike.filter_map(|other| Published::of(&other.values, other.grade, &other.source, parameter.name)))
     };
-    let in_words = |spread: &Spread, which: &str| spread.in_words("value", ["soil", "soils"], which);
-    let of_kind = published(true).map(|spread| (in_words(&spread, &format!("of the kind `{}`", record.kind)), spread));
-    let (reason, spread) = of_kind.or_else(|| {
-        let spread = published(false)?;
-        Some((format!("{}; none of the kind `{}` does", in_words(&spread, "of the catalogue"), record.kind), spread))
-    })?;
-    Some(Substitute {
-        field: parameter.name.to_owned(),
-        value: spread.median,
-        unit: parameter.unit,
-        reason,
-        low: spread.low,
-        high: spread.high,
-    })
+    let (reason, spread) = of_kind_or_all(&record.kind, "value", ["soil", "soils"], published)?;
+    let Spread { median: value, low, high, sources, .. } = spread;
+    Some(Substitute { field: parameter.name.to_owned(), value, unit: parameter.unit, reason, low, high, sources })
 }
 
 /// The law of another soil, whole: moduli belong to their exponent.
@@ -147,7 +104,12 @@ fn of_lender(record: &SoilRecord) -> Vec<Substitute> {
     let of_law = |parameter: &'static Parameter| {
         let value = lender.number(parameter.name)?;
         let others = soils().iter().filter(|other| other.law == lender.law && other.kind == lender.kind);
-        let spread = Spread::of(others.filter_map(|other| other.number(parameter.name)))?;
+        let published = |other: &'static SoilRecord| {
+            let of = other.values.get(parameter.name);
+            let source = of.and_then(|of| of.source.as_deref()).unwrap_or(&other.source);
+            Some(Published { value: other.number(parameter.name)?, source })
+        };
+        let spread = Spread::of(others.filter_map(published))?;
         Some(Substitute {
             field: format!("{LAW}.{}", parameter.name),
             value,
@@ -158,6 +120,7 @@ fn of_lender(record: &SoilRecord) -> Vec<Substitute> {
             ),
             low: spread.low,
             high: spread.high,
+            sources: spread.sources,
         })
     };
     law.parameters.iter().filter_map(of_law).collect()
@@ -168,7 +131,9 @@ fn of_wheel(record: &WheelRecord) -> Vec<Substitute> {
     let mut found: Vec<Substitute> = width(record).into_iter().collect();
     if record.assumes(Wheel::LUG_HEIGHT.name) {
         let alike = wheels().iter().filter(|other| other.kind == record.kind);
-        let spread = Spread::of(alike.filter_map(|other| founded(&other.values, other.grade, Wheel::LUG_HEIGHT.name)));
+        let published =
+            |other: &'static WheelRecord| Published::of(&other.values, other.grade, &other.source, Wheel::LUG_HEIGHT.name);
+        let spread = Spread::of(alike.filter_map(published));
         found.push(Substitute {
             field: Wheel::LUG_HEIGHT.name.to_owned(),
             value: 0.0,
@@ -177,7 +142,8 @@ fn of_wheel(record: &WheelRecord) -> Vec<Substitute> {
                 "the wheel has or may have lugs of unknown height and is computed as smooth unless a request gives their height"
                     .to_owned(),
             low: 0.0,
-            high: spread.map_or(0.0, |spread| spread.high),
+            high: spread.as_ref().map_or(0.0, |spread| spread.high),
+            sources: spread.map_or(0, |spread| spread.sources),
         });
     }
     found
@@ -186,33 +152,28 @@ fn of_wheel(record: &WheelRecord) -> Vec<Substitute> {
 /// The width by the shape of other wheels: their width over their radius.
 fn width(record: &WheelRecord) -> Option<Substitute> {
     let (None, Some(radius)) = (record.number(Wheel::WIDTH.name), record.number(Wheel::RADIUS.name)) else { return None };
-    let shape = |other: &WheelRecord| {
-        let of = |name: &str| founded(&other.values, other.grade, name);
-        Some(of(Wheel::WIDTH.name)? / of(Wheel::RADIUS.name)?)
+    let shape = |other: &'static WheelRecord| {
+        let of = |name: &str| Published::of(&other.values, other.grade, &other.source, name);
+        let width = of(Wheel::WIDTH.name)?;
+        Some(Published { value: width.value / of(Wheel::RADIUS.name)?.value, ..width })
     };
-    let spread = Spread::of(wheels().iter().filter(|other| other.kind == record.kind).filter_map(shape))?;
-    let which = format!("of the kind `{}`", record.kind);
+    let published =
+        |of_kind: bool| Spread::of(wheels().iter().filter(move |other| !of_kind || other.kind == record.kind).filter_map(shape));
+    let (reason, spread) = of_kind_or_all(&record.kind, "width over radius", ["wheel", "wheels"], published)?;
     Some(Substitute {
         field: Wheel::WIDTH.name.to_owned(),
         value: radius * spread.median,
         unit: Wheel::WIDTH.unit,
-        reason: format!("its radius times the {}", spread.in_words("width over radius", ["wheel", "wheels"], &which)),
+        reason: format!("its radius times the {reason}"),
         low: radius * spread.low,
         high: radius * spread.high,
+        sources: spread.sources,
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_median_is_in_the_middle() {
-        assert_eq!(
-            [median(&[]), median(&[3.0]), median(&[1.0, 2.0]), median(&[1.0, 2.0, 9.0])],
-            [None, Some(3.0), Some(1.5), Some(2.0)]
-        );
-    }
 
     /// What a request would have to add is what is proposed, and within the range that is told.
     #[test]
@@ -236,16 +197,26 @@ mod tests {
         assert!(count > 60, "{count}");
     }
 
-    /// Of three moduli of snow two are guesses by a guideline, and so is the only one of a Martian soil.
+    /// Of three moduli of snow two are guesses by a guideline, and so is the only one of a Martian soil. Those of Martian simulants are
+    /// two fits of one laboratory. By hand, all 16 run from 0.515 to 38.1 mm, and those in the middle are 12 and 13 mm.
     #[test]
-    fn values_that_were_assigned_from_elsewhere_do_not_count() {
+    fn a_kind_with_few_sources_takes_the_range_of_all() {
         let of = |id: &str| {
             let record = soil(id).expect("a soil");
             record.substitutes().iter().find(|one| one.field == "shear_modulus_m").expect("a substitute").clone()
         };
-        let snow = of("wong-snow-harrison");
-        assert_eq!([snow.low, snow.value, snow.high], [0.02; 3]);
-        assert!(of("mars-vl1-drift").reason.contains("none of the kind `martian`"));
+        for (id, why) in [
+            ("wong-snow-harrison", "the kind `snow` has 1 independent source, too few"),
+            ("exomars-es3-med", "the kind `martian simulant` has 1 independent source, too few"),
+            ("mars-vl1-drift", "none of the kind `martian`"),
+        ] {
+            let found = of(id);
+            assert!(found.reason.contains(why), "{found:?}");
+            assert_eq!([found.low, found.value, found.high], [0.000515, 0.0125, 0.0381], "{id}");
+            assert_eq!(found.sources, 13, "{id}");
+        }
+        let simulant = of("kls1");
+        assert_eq!((simulant.low, simulant.high, simulant.sources), (0.0114, 0.0185, 3));
     }
 
     /// Lunar simulants of 1500, 1600, 1600, 1602, 1605, 1620, 1700 and 1740 kg/m³ have the median 1603.5 by hand. No Martian soil has a

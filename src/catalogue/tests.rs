@@ -174,3 +174,25 @@ fn every_entry_computes_or_says_what_it_lacks() {
     assert!(too_narrow > 0, "grc1-scm-calibrated gives way under the narrowest wheels");
     assert!(computed > 20 * complete.len(), "only {computed} pairs were computed");
 }
+
+/// What `modulus_unlike_soil` calls the spread of a kind: the largest pressure at 10 mm under a plate 0.1 m wide over the smallest, of
+/// the soils whose law is Bekker's and no guess. Kinds that have clay beside sand, or grains beside ice, lie apart by more.
+#[test]
+fn the_pressures_of_a_kind_lie_apart_by_less_than_what_is_warned_of() {
+    let of_kind = |kind: &str| {
+        let founded = soils().iter().filter(|record| record.kind == kind && record.law.as_deref() == Some("bekker"));
+        let pressure = |record: &SoilRecord| {
+            let value = |name: &str| super::published::founded(&record.values, record.grade, name);
+            Some((value("k_c")? / 0.1 + value("k_phi")?) * 0.01_f64.powf(value("n0")?))
+        };
+        let pressures: Vec<f64> = founded.filter_map(pressure).collect();
+        assert!(pressures.len() >= 2, "{kind}");
+        pressures.iter().copied().fold(0.0, f64::max) / pressures.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    assert_eq!(["lunar simulant", "test-bed sand"].map(|kind| format!("{:.1}", of_kind(kind))), ["5.8", "3.2"]);
+    let kind = terramechanics::Caution::KINDS.iter().find(|kind| kind.code == "modulus_unlike_soil").expect("a kind");
+    let range = kind.range.as_ref().expect("a range");
+    let (lower, upper) = (range.lower.expect("an end"), range.upper.expect("an end"));
+    assert!(upper > of_kind("lunar simulant") && (lower * upper - 1.0).abs() < 1e-15);
+    assert!(range.source.contains("5.8"));
+}

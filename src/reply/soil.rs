@@ -2,8 +2,8 @@
 
 use serde::{Serialize, Serializer};
 use terramechanics::{
-    Bekker, ContactParams, Declared, ExitRule, JanosiHanamoto, Parameter, PressureSinkage, ShearLaw, SinkageExponent, Soil,
-    SoilParams,
+    Bekker, ContactParams, Declared, ExitRule, JanosiHanamoto, Parameter, Parametrised, PressureSinkage, ShearLaw,
+    SinkageExponent, Soil, SoilParams,
 };
 
 /// An object of a request: its fields by name, in order.
@@ -46,11 +46,13 @@ pub(crate) fn soil(soil: &SoilParams) -> Spelled {
         Some(ShearLaw::JanosiHanamoto(law)) => (Some(law.modulus), None),
         other => (None, other.map(|law| Member::Object(tagged("law", law.law().name, law.parameters())))),
     };
+    let alone = || soil.exponent_alone.as_ref().map(exponent);
+    let law = soil.pressure_sinkage.as_ref().map(pressure_sinkage).or_else(alone);
     let members = [
         (Soil::COHESION.name, Some(Member::Number(soil.cohesion))),
         (Soil::FRICTION_ANGLE.name, Some(Member::Number(soil.friction_angle))),
         (JanosiHanamoto::MODULUS.name, modulus.map(Member::Number)),
-        ("pressure_sinkage", soil.pressure_sinkage.as_ref().map(|law| Member::Object(pressure_sinkage(law)))),
+        ("pressure_sinkage", law.map(Member::Object)),
         ("shear", shear),
         (Soil::LATERAL_SHEAR_MODULUS.name, soil.lateral_shear_modulus.map(Member::Number)),
         (Soil::UNIT_WEIGHT.name, soil.unit_weight.map(Member::Number)),
@@ -63,6 +65,13 @@ pub(crate) fn soil(soil: &SoilParams) -> Spelled {
 
 fn pressure_sinkage(law: &PressureSinkage) -> Spelled {
     tagged("law", law.law().name, law.parameters())
+}
+
+/// An exponent without a law, as a request has it under a load that is known.
+fn exponent(exponent: &SinkageExponent) -> Spelled {
+    let values = SinkageExponent::PARAMETERS.iter().zip(exponent.values());
+    let member = |(parameter, value): (&'static Parameter, Option<f64>)| Some((parameter.name, Member::Number(value?)));
+    Spelled(values.filter_map(member).collect())
 }
 
 /// Bekker's law with an exponent that does not change with slip; none that a request would refuse.

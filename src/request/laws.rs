@@ -75,7 +75,7 @@ pub(crate) const PRESSURE_SINKAGE: Tagged = Tagged {
     },
     also: &[],
     without_word: Some(
-        "Single values of the preset's law, in place of its own; the law and its other values stay. Without a preset that has a law, `law` is required.",
+        "Single values of the preset's law, in place of its own; the law and its other values stay. Without a preset that has a law, `law` is required, save for the exponent (`n0`, `n1`, `n2`) alone under a load that is known beside the sinkage: the load takes the place of the moduli.",
     ),
 };
 

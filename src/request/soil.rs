@@ -1,5 +1,6 @@
 //! The soil of a request.
 
+mod exponent;
 mod needs;
 
 pub(crate) use needs::{LawOrigin, Needs};
@@ -40,7 +41,7 @@ pub(crate) const VARIED_PRESSURE_SINKAGE: Field<&Tagged> =
 
 pub(crate) const SOIL: Object = Object {
     name: "Soil",
-    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in the closed forms under a load that is known beside the sinkage, in /v1/coupled and in the linear estimator) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's, and a field inside a law without `law` that of the preset's law.",
+    doc: "A soil. Without `preset`, `cohesion_pa`, `friction_angle_rad`, `pressure_sinkage` (save where it cancels: in the closed forms under a load that is known beside the sinkage, in /v1/coupled and in the linear estimator; the quadrature then takes its `n0` alone) and what the shear law needs are required; the method resistive_force needs `friction_angle_rad` and `bulk_density_kg_m3` (or `granular_stiffness_n_m3`) instead. With a preset, any field beside it overrides the catalogue's, and a field inside a law without `law` that of the preset's law.",
     groups: &[&[
         &PRESET,
         &COHESION,
@@ -94,13 +95,19 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     });
     let is_stiff = !needs.granular_stiffness
         || weights.as_ref().is_some_and(|weights| weights.are_enough(object, &preset, (&FRICTION_ANGLE, friction_angle)));
-    let pressure_sinkage = pressure_sinkage(object, &preset, needs);
+    let exponent_alone = exponent::alone(object, &preset, needs);
+    let pressure_sinkage = match exponent_alone {
+        Some(None) => pressure_sinkage(object, &preset, needs),
+        Some(Some(_)) => Some((None, LawOrigin::Absent)),
+        None => None,
+    };
     let (pressure_sinkage, law) = pressure_sinkage?;
     let params = SoilParams {
         cohesion: cohesion?,
         friction_angle: friction_angle?,
         shear: shear?,
         pressure_sinkage,
+        exponent_alone: exponent_alone?,
         lateral_shear_modulus: lateral_shear_modulus?,
         ..SoilParams::BARE
     };
@@ -132,9 +139,9 @@ impl FoundSoil {
         Self { soil, contact: None, law: LawOrigin::Absent, entry: None }
     }
 
-    /// Reports at the soil's `place` that the pressure–sinkage law is lacking, where it is; false where it did.
+    /// Reports at the soil's `place` that the pressure–sinkage law is lacking, where it and its exponent are; false where it did.
     pub(crate) fn has_law(&self, place: &Scope<'_>) -> bool {
-        let is_there = self.soil.pressure_sinkage().is_some();
+        let is_there = self.soil.sinkage_exponent().is_some();
         if !is_there {
             missing_law(&place.field(PRESSURE_SINKAGE.name), &Preset { entry: self.entry, is_sound: true });
         }

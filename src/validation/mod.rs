@@ -21,7 +21,7 @@ pub(crate) use inputs::Origin;
 pub(crate) use pooled::{Pooled, pooled_error};
 pub(crate) use prediction::{Prediction, root_mean_square, system};
 pub(crate) use record::{MeasurementGrade, Record};
-pub(crate) use run::{Run, all_runs};
+pub(crate) use run::{Known, Run, all_runs};
 pub(crate) use sensitivity::{AtModulus, of_shear_modulus};
 
 use std::sync::LazyLock;
@@ -78,7 +78,7 @@ pub(crate) fn ids() -> Vec<&'static str> {
 /// Operating points that all sets together take by the quadrature: straight ahead, and at a slip angle.
 pub(crate) fn quadratures() -> (usize, usize) {
     let of = |is_sideways: bool| {
-        let runs = records().iter().flat_map(|record| record.runs().iter().map(move |run| (record, run)));
+        let runs = records().iter().flat_map(|record| record.runs().into_iter().map(move |run| (record, run)));
         let by_quadrature = runs.filter(|(_, run)| run.is_integral() && run.side.is_some() == is_sideways);
         by_quadrature.map(|(record, _)| record.points().slip.len()).sum()
     };

@@ -7,7 +7,6 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use super::prediction::Variation;
-use super::record::Points;
 use super::{Prediction, Record, root_mean_square};
 
 /// Sets whose points are pooled.
@@ -22,48 +21,20 @@ pub(crate) struct Pooled {
     pub(crate) published: Vec<Published>,
 }
 
-/// Another way to run the sets: by other conventions, or with a sinkage that is known beside the load.
+/// Another way to run the sets: by other conventions.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Variant {
     pub(crate) series: String,
     /// Fields of the request in place of those of the set.
     fields: Map<String, Value>,
-    sinkage: Option<Known>,
-}
-
-/// Where a sinkage is known from that stands beside the load.
-#[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum Known {
-    /// It was measured at the point.
-    Measured,
-    /// From that at the first point by (18).
-    FromStandstill,
-}
-
-impl Known {
-    /// The field of the request for a point that has it; none where the sinkage was not measured.
-    fn field(self, points: &Points, row: usize) -> Option<(&'static str, f64)> {
-        let measured = |row: usize| points.sinkage_m.as_ref()?.get(row).copied().flatten();
-        match self {
-            Self::Measured => Some(("sinkage_m", measured(row)?)),
-            Self::FromStandstill => {
-                let slip = *points.slip.first()?;
-                Some(("static_sinkage_m", measured(0)? / ((1.0 + slip) / (1.0 - 0.5 * slip))))
-            }
-        }
-    }
 }
 
 impl Variant {
     /// Error of the pull of a set, at each point over its load; none where a point has no solution.
     pub(crate) fn error(&self, record: &Record) -> Option<f64> {
         let run = record.quadrature()?;
-        let sinkages = self.sinkage.map(|known| move |row: usize| known.field(record.points(), row));
-        let sinkage = |row: usize| sinkages.as_ref().and_then(|field| field(row));
-        let prediction =
-            Prediction::varied(record, run, &Variation { of_soil: &[], fields: Some(&self.fields), sinkage: &sinkage });
+        let prediction = Prediction::varied(record, run, &Variation { of_soil: &[], fields: Some(&self.fields) });
         let errors = prediction.pull_errors(record);
         if errors.iter().any(|error| error.is_nan()) { None } else { root_mean_square(errors.into_iter()) }
     }

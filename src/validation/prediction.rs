@@ -16,12 +16,10 @@ pub(super) struct Variation<'v> {
     pub(super) of_soil: &'v [(&'v str, f64)],
     /// Fields of the request.
     pub(super) fields: Option<&'v Map<String, Value>>,
-    /// A field with the sinkage of a row, beside its load.
-    pub(super) sinkage: &'v dyn Fn(usize) -> Option<(&'static str, f64)>,
 }
 
 impl Variation<'_> {
-    const NONE: Self = Self { of_soil: &[], fields: None, sinkage: &|_| None };
+    const NONE: Self = Self { of_soil: &[], fields: None };
 }
 
 /// What one run gives at the measured slips and loads.
@@ -112,7 +110,7 @@ fn case(record: &Record, run: &Run, row: usize, variation: &Variation<'_>) -> Re
     for (name, value) in variation.fields.into_iter().flatten() {
         body[name] = value.clone();
     }
-    if let Some((name, value)) = (variation.sinkage)(row) {
+    if let Some((name, value)) = run.sinkage(points, row) {
         body[name] = value.into();
     }
     checked(&Node::from(&body)).map_err(|faults| {

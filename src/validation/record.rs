@@ -114,16 +114,18 @@ impl Record {
     }
 
     /// The ways in which it is run.
-    pub(crate) fn runs(&self) -> &'static [Run] {
+    pub(crate) fn runs(&self) -> Vec<&'static Run> {
         let is_braking = self.points().slip.iter().all(|slip| *slip < 0.0);
         // A set that shares its measurements differs from the other in laws that grains do not have.
         let by_grains = self.has_density() && matches!(self.measured, Measured::Points(_));
-        runs_of(self.side_slip.is_some(), is_braking, by_grains)
+        let points = self.points();
+        let knows_sinkage = (0..points.slip.len()).all(|row| points.sinkage_at(row).is_some());
+        runs_of(self.side_slip.is_some(), is_braking, by_grains, knows_sinkage).collect()
     }
 
     /// The quadrature, for a set that goes straight ahead.
     pub(super) fn quadrature(&self) -> Option<&'static Run> {
-        self.runs().iter().find(|run| run.series == "quadrature" && run.side.is_none())
+        self.runs().into_iter().find(|run| run.series == "quadrature" && run.side.is_none())
     }
 
     /// Whether the pull was measured at any point.
@@ -140,6 +142,11 @@ impl Record {
 }
 
 impl Points {
+    /// Sinkage (m) at a point, where it was measured.
+    pub(super) fn sinkage_at(&self, row: usize) -> Option<f64> {
+        self.sinkage_m.as_ref()?.get(row).copied().flatten()
+    }
+
     /// Load W at each point (N).
     pub(crate) fn load(&self) -> Vec<f64> {
         match &self.normal_load_n {

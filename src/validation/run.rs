@@ -1,6 +1,8 @@
-//! The ways in which a set is run: a method, and the laws that a request chooses beside it.
+//! The ways in which a set is run: a method, the laws that a request chooses beside it, and what of the sinkage is known.
 
 use serde_json::{Value, json};
+
+use super::record::Points;
 
 /// One way to predict the points of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,6 +14,38 @@ pub(crate) struct Run {
     pub(crate) braking: &'static str,
     /// For motion at a slip angle.
     pub(crate) side: Option<SideLaws>,
+    /// Where the sinkage is known beside the load; else it is solved for the load.
+    pub(crate) known: Option<Known>,
+}
+
+/// Where a sinkage is known from that stands beside the load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Known {
+    /// It was measured at the point.
+    Measured,
+    /// From that at the first point by (18).
+    FromStandstill,
+}
+
+impl Known {
+    /// Its name on the wire.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::FromStandstill => "from_standstill",
+        }
+    }
+
+    /// The field of the request for a point that has it; none where the sinkage was not measured.
+    fn field(self, points: &Points, row: usize) -> Option<(&'static str, f64)> {
+        match self {
+            Self::Measured => Some(("sinkage_m", points.sinkage_at(row)?)),
+            Self::FromStandstill => {
+                let slip = *points.slip.first()?;
+                Some(("static_sinkage_m", points.sinkage_at(0)? / ((1.0 + slip) / (1.0 - 0.5 * slip))))
+            }
+        }
+    }
 }
 
 /// What is chosen for a wheel that moves at a slip angle.
@@ -22,26 +56,41 @@ pub(crate) struct SideLaws {
 }
 
 const fn by(method: &'static str) -> Run {
-    Run { series: method, method, braking: "one_zone", side: None }
+    Run { series: method, method, braking: "one_zone", side: None, known: None }
+}
+
+const fn known(series: &'static str, method: &'static str, known: Known) -> Run {
+    Run { series, known: Some(known), ..by(method) }
 }
 
 const fn sideways(series: &'static str, shear_coupling: &'static str, bulldozing: &'static str) -> Run {
     Run { series, side: Some(SideLaws { shear_coupling, bulldozing }), ..by("quadrature") }
 }
 
-/// Straight ahead: every method; the last only where a density is known.
-const STRAIGHT: [Run; 4] = [by("quadrature"), by("linearised"), by("explicit"), by(GRAINS)];
+/// Straight ahead: every method, and a load that is known beside the sinkage.
+const STRAIGHT: [Run; 7] = [
+    by("quadrature"),
+    by("linearised"),
+    by("explicit"),
+    known("linearised_known_load", "linearised", Known::Measured),
+    known("linearised_known_load_from_standstill", "linearised", Known::FromStandstill),
+    known("quadrature_known_load", "quadrature", Known::Measured),
+    by(GRAINS),
+];
 
 /// The method that needs a density and none of the laws.
 const GRAINS: &str = "resistive_force";
 
 /// A wheel that brakes at every point: also by the other law of braking, which has no closed form.
-const BRAKING: [Run; 5] = [
+/// Equation (18) makes it rise where measured wheels sink, so that no sinkage follows from its standstill.
+const BRAKING: [Run; 7] = [
     STRAIGHT[0],
     STRAIGHT[1],
     STRAIGHT[2],
     Run { series: "quadrature_two_zone", braking: "two_zone", ..STRAIGHT[0] },
     STRAIGHT[3],
+    STRAIGHT[5],
+    STRAIGHT[6],
 ];
 
 /// At a slip angle: every pair of laws, the defaults of a request first. No closed form has a lateral force, and no slip angle
@@ -53,15 +102,19 @@ const SIDEWAYS: [Run; 4] = [
     sideways("quadrature_coupled_mobilised", "coupled", "mobilised"),
 ];
 
-/// The runs of a set, by what its wheel does; by grains where that is asked for.
-pub(super) fn runs_of(is_sideways: bool, is_braking: bool, by_grains: bool) -> &'static [Run] {
+/// The runs of a set, by what its wheel does; by grains and with a sinkage that is known where that can be.
+pub(super) fn runs_of(
+    is_sideways: bool,
+    is_braking: bool,
+    by_grains: bool,
+    knows_sinkage: bool,
+) -> impl Iterator<Item = &'static Run> {
     let runs: &[Run] = match (is_sideways, is_braking) {
-        (true, _) => return &SIDEWAYS,
+        (true, _) => &SIDEWAYS,
         (false, true) => &BRAKING,
         (false, false) => &STRAIGHT,
     };
-    let (last, others) = (runs.len(), runs.len() - 1);
-    &runs[..if by_grains { last } else { others }]
+    runs.iter().filter(move |run| (by_grains || !run.is_by_grains()) && (knows_sinkage || run.known.is_none()))
 }
 
 /// Every run there is, each once.
@@ -84,6 +137,11 @@ impl Run {
     /// Whether its forces are found by integration.
     pub(super) fn is_integral(&self) -> bool {
         self.method == "quadrature" || self.is_by_grains()
+    }
+
+    /// The field with the sinkage of a row that stands beside the load, where the run has one.
+    pub(super) fn sinkage(&self, points: &Points, row: usize) -> Option<(&'static str, f64)> {
+        self.known?.field(points, row)
     }
 
     /// The fields of a request that choose it.

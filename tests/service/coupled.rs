@@ -128,3 +128,42 @@ fn a_null_soil_is_none() {
     without_torque["torque_n_m"] = Value::Null;
     assert_eq!(post("/v1/coupled", &without_torque).pointers(), ["/soil"]);
 }
+
+/// The pull from torque is of the contact alone. A slip that is sent all the same changes no number, and tells a torque against it.
+#[test]
+fn a_torque_needs_no_slip_save_where_the_peak_moves_with_it() {
+    let body = json!({"wheel": {"radius_m": 0.2, "width_m": 0.1}, "sinkage_m": 0.02, "normal_load_n": 80, "torque_n_m": 6});
+    let alone = post("/v1/coupled", &body).ok();
+    assert_eq!((&alone["slip"], &alone["warnings"]), (&Value::Null, &json!([])));
+    for (slip, codes) in [(0.2, vec![]), (-0.5, vec!["torque_against_slip", "slip_beyond_fit"])] {
+        let answer = post("/v1/coupled", &with(&body, json!({"slip": slip})));
+        assert_eq!(answer.warned_of(), codes, "{slip}");
+        let found = answer.ok();
+        assert_eq!(found["slip"], slip);
+        assert_eq!(found["longitudinal_force_n"], alone["longitudinal_force_n"]);
+    }
+    let contact = |c2: f64| with(&body, json!({"contact": {"rule": "wong_reece", "c1": 0.4, "c2": c2}}));
+    assert_eq!(post("/v1/coupled", &contact(0.2)).pointers(), ["/slip"]);
+    assert_eq!(post("/v1/coupled", &contact(0.0)).ok()["slip"], Value::Null);
+    let half = with(&body, json!({"forward_velocity_m_s": 0.1}));
+    assert_eq!(post("/v1/coupled", &half).pointers(), ["/angular_velocity_rad_s"]);
+    let text = post_for_csv("/v1/coupled", &body).text;
+    assert!(table(&text).into_iter().any(|(name, column)| name == "slip" && column == [None]), "{text}");
+    assert_eq!(post("/v1/coupled", &with(&body, json!({"torque_n_m": null, "soil": letter()["soil"]}))).pointers(), ["/slip"]);
+}
+
+/// A wheel that moves backwards is the mirror image: its torque goes with its slip where the mirrored one does.
+#[test]
+fn a_torque_against_the_slip_is_told_of_the_mirrored_wheel_too() {
+    let body = json!({
+        "wheel": {"radius_m": 0.2, "width_m": 0.1}, "sinkage_m": 0.02, "normal_load_n": 80,
+        "forward_velocity_m_s": -0.16, "angular_velocity_rad_s": -1.0
+    });
+    for (torque, codes) in [(-6.0, vec!["mirrored"]), (6.0, vec!["torque_against_slip", "mirrored"])] {
+        let mut found = post("/v1/coupled", &with(&body, json!({"torque_n_m": torque}))).warned_of();
+        found.sort();
+        let mut codes: Vec<String> = codes.into_iter().map(str::to_owned).collect();
+        codes.sort();
+        assert_eq!(found, codes, "{torque}");
+    }
+}

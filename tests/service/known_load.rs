@@ -206,3 +206,82 @@ fn a_track_has_the_pull_from_torque() {
     let told = warnings.iter().find(|warning| warning["code"] == "torque_against_slip").expect("a warning");
     assert_eq!(told["rows"], json!([[1, 1]]));
 }
+
+/// Of Bekker's law alone the exponent counts, so that a request may leave the moduli out; the modulus that the load shows is the same.
+#[test]
+fn the_exponent_alone_is_enough_under_a_known_load() {
+    for method in METHODS {
+        for n0 in [0.91, 1.2] {
+            let whole = wheel(json!({"method": method, "normal_load_n": 80, "soil": {"pressure_sinkage": {"n0": n0}}}));
+            let mut alone = whole.clone();
+            alone["soil"]["pressure_sinkage"] = json!({"n0": n0});
+            let (by_law, by_exponent) = (post("/v1/forces", &whole).ok(), post("/v1/forces", &alone).ok());
+            for name in ["longitudinal_force_n", "torque_n_m", "sinkage_modulus", "sinkage_exponent", "normal_stress_from"] {
+                assert_eq!(by_law[name], by_exponent[name], "{method} {name}");
+            }
+            if method == "quadrature" {
+                let profile = post("/v1/stress-profile", &alone).ok();
+                assert_eq!(profile["columns"], post("/v1/stress-profile", &whole).ok()["columns"], "{n0}");
+            }
+        }
+    }
+    let slips = json!({"slip": {"from": 0, "to": 0.6, "points": 7}, "normal_load_n": 80});
+    let mut alone = wheel(slips);
+    alone["soil"]["pressure_sinkage"] = json!({"n0": 0.91, "n1": 0.3});
+    let whole = with(&alone, json!({"soil": {"pressure_sinkage": {"law": "direct", "k_s": 747_530}}}));
+    let swept = post("/v1/slip-sweep", &alone).ok();
+    assert!(swept["columns"]["longitudinal_force_n"].as_array().is_some_and(|pulls| pulls.len() == 7), "{swept}");
+    assert_eq!(swept["columns"], post("/v1/slip-sweep", &whole).ok()["columns"]);
+}
+
+/// Without the load nothing takes the place of the moduli, and an exponent out of bounds is a fault wherever it is read.
+#[test]
+fn an_exponent_alone_is_refused_without_a_load_or_beside_a_modulus_without_a_law() {
+    let mut body = wheel(json!({}));
+    body["soil"]["pressure_sinkage"] = json!({"n0": 0.91});
+    assert_eq!(post("/v1/forces", &body).pointers(), ["/soil/pressure_sinkage/law"]);
+    let solved = with(&body, json!({"sinkage_m": null, "normal_load_n": 80}));
+    assert_eq!(post("/v1/forces", &solved).pointers(), ["/soil/pressure_sinkage/law"]);
+    let known = with(&body, json!({"normal_load_n": 80}));
+    let with_modulus = with(&known, json!({"soil": {"pressure_sinkage": {"k_phi": 8e5}}}));
+    assert_eq!(post("/v1/forces", &with_modulus).pointers(), ["/soil/pressure_sinkage/law"]);
+    let too_large = with(&known, json!({"soil": {"pressure_sinkage": {"n0": 99}}}));
+    assert_eq!(post("/v1/forces", &too_large).pointers(), ["/soil/pressure_sinkage/n0"]);
+    let no_exponent = with(&known, json!({"soil": {"pressure_sinkage": {"n0": null, "n1": 0.2}}}));
+    assert_eq!(post("/v1/forces", &no_exponent).pointers(), ["/soil/pressure_sinkage/n0"]);
+}
+
+/// A soil of the catalogue whose moduli nobody published has its exponent: nothing has to be assumed.
+#[test]
+fn a_published_exponent_is_enough_under_a_known_load() {
+    let soil = get("/v1/soils/wong-reece-loose-sand").ok();
+    assert!(soil["soil"]["pressure_sinkage"].get("k_phi").is_none());
+    let body = json!({
+        "wheel": {"preset": "letter"}, "soil": {"preset": "wong-reece-loose-sand"}, "slip": 0.2, "sinkage_m": 0.02, "normal_load_n": 80
+    });
+    let found = post("/v1/forces", &body).ok();
+    assert_eq!(found["sinkage_exponent"], soil["values"]["n0"]["value"]);
+}
+
+/// Loads of a hundred times and a tenth of what the soil carries at that sinkage are told, those that another soil of its kind could
+/// carry are not.
+#[test]
+fn a_load_that_the_soil_does_not_carry_is_told() {
+    let body = wheel(json!({"soil": {"cohesion_pa": 0}}));
+    let carried = number(&post("/v1/forces", &body).ok(), "normal_force_n");
+    let of = |factor: f64| post("/v1/forces", &with(&body, json!({"normal_load_n": factor * carried})));
+    for (factor, is_told) in [(100.0, true), (7.0, true), (5.0, false), (1.0, false), (0.2, false), (0.15, true), (0.1, true)] {
+        let answer = of(factor);
+        assert_eq!(answer.warned_of().contains(&"modulus_unlike_soil".into()), is_told, "{factor}");
+        let found = answer.ok();
+        let told = found["warnings"].as_array().expect("warnings").iter().find(|one| one["code"] == "modulus_unlike_soil");
+        if let Some(told) = told {
+            // Without cohesion the normal force is proportional to the modulus.
+            assert!((number(told, "value") / factor - 1.0).abs() < SOLVED, "{told}");
+        }
+    }
+    // A soil that has no law of its own has nothing that a load could contradict.
+    let mut alone = with(&body, json!({"normal_load_n": 100.0 * carried}));
+    alone["soil"]["pressure_sinkage"] = json!({"n0": 0.91});
+    assert!(!post("/v1/forces", &alone).warned_of().contains(&"modulus_unlike_soil".into()));
+}

@@ -89,7 +89,8 @@ impl Coupled {
     }
 
     /// The same of the wheel of `system` at a slip and a sinkage (m), with the angles of its contact. Where the torque was measured the
-    /// soil has no influence, save on the angles of a braking wheel with two zones.
+    /// soil has no influence, save on the angles of a braking wheel with two zones; and the slip has none, save on the angles of such a
+    /// wheel and of a contact whose peak moves with it.
     ///
     /// # Errors
     /// [`Error::SinkageOutsideWheel`], [`Error::PeakOutsideContact`]; what [`Coupled::forces`] refuses; without a torque or with two
@@ -157,16 +158,19 @@ impl CoupledForces {
         NEGATIVE_NORMAL_STRESS.of(self.peak_normal_stress)
     }
 
-    /// All that is to be taken with care at this slip and sinkage (m); nothing of the pressure–sinkage law, which cancels.
-    pub fn cautions(&self, system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
-        let against = torque_against_slip(&system.wheel, &system.contact, slip, sinkage, self.torque);
+    /// All that is to be taken with care at this sinkage (m) and, where it is known, this slip; nothing of the pressure–sinkage law,
+    /// which cancels.
+    pub fn cautions(&self, system: &WheelOnSoil, slip: Option<Slip>, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
+        let against = slip.and_then(|slip| torque_against_slip(&system.wheel, &system.contact, slip, sinkage, self.torque));
         let own = [self.caution(), against];
         own.into_iter().flatten().chain(coupled_cautions(system, slip, sinkage))
     }
 }
 
-/// What is to be taken with care of the coupled forms at this slip and sinkage (m), whatever load and torque are.
-pub(crate) fn coupled_cautions(system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
-    let own = [DEEP_SINKAGE.of(sinkage / system.wheel.radius()), SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
+/// What is to be taken with care of the coupled forms at this sinkage (m) and, where it is known, this slip, whatever load and torque
+/// are.
+pub(crate) fn coupled_cautions(system: &WheelOnSoil, slip: Option<Slip>, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
+    let beyond = slip.and_then(|slip| SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio()));
+    let own = [DEEP_SINKAGE.of(sinkage / system.wheel.radius()), beyond];
     own.into_iter().flatten().chain(system_cautions(system))
 }

@@ -2,14 +2,14 @@
 
 use crate::caution::{
     BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, COHESION_LEFT_OUT, Caution, DEEP_SINKAGE, INTEGRATION_ERROR, LOAD_RESIDUAL,
-    LOW_GRAVITY, LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, NORMAL_FORCE_DRIFTS, PEAK_RULE_SET_ASIDE, RESISTIVE_FORCE_BRAKING,
-    ROUGH_CYLINDER, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
+    LOW_GRAVITY, LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, MODULUS_UNLIKE_SOIL, NORMAL_FORCE_DRIFTS, PEAK_RULE_SET_ASIDE,
+    RESISTIVE_FORCE_BRAKING, ROUGH_CYLINDER, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
 };
 use crate::forces::Method;
 use crate::lateral::Bulldozing;
 use crate::operating_point::{NormalStressFrom, OperatingPoint, Sinkage};
 use crate::operation::Operation;
-use crate::pressure_sinkage::PressureSinkage;
+use crate::pressure_sinkage::{PressureCurve, PressureSinkage};
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
 
@@ -28,11 +28,13 @@ pub struct Outcome {
     pub mobilised_share: Option<f64>,
     /// Normal force (N) at the standstill, where it is known: see [`Operation::standstill_normal`].
     pub standstill_normal: Option<f64>,
+    /// Pressure over depth that a known load shows, where it does.
+    pub found_curve: Option<PressureCurve>,
 }
 
 impl From<&OperatingPoint> for Outcome {
     fn from(point: &OperatingPoint) -> Self {
-        let OperatingPoint { slip, sinkage, forces, .. } = point;
+        let OperatingPoint { slip, sinkage, forces, curve, normal_stress_from, .. } = point;
         Self {
             slip: *slip,
             sinkage: *sinkage,
@@ -40,6 +42,7 @@ impl From<&OperatingPoint> for Outcome {
             integration_error: forces.integration_error,
             mobilised_share: forces.side.map(|side| side.mobilised_share),
             standstill_normal: None,
+            found_curve: curve.filter(|_| *normal_stress_from == NormalStressFrom::Load),
         }
     }
 }
@@ -88,8 +91,7 @@ fn grain_cautions(operation: &Operation, outcome: &Outcome) -> impl Iterator<Ite
 
 /// What the slip is beyond: the tests of the sinkage exponent's gain, where the soil has one.
 fn gain_cautions(system: &WheelOnSoil, slip: f64) -> [Option<Caution>; 2] {
-    let exponent = system.soil.pressure_sinkage().map(PressureSinkage::exponent);
-    let Some(exponent) = exponent.filter(|exponent| exponent.slip_gain != 0.0) else { return [None, None] };
+    let Some(exponent) = system.soil.sinkage_exponent().filter(|exponent| exponent.slip_gain != 0.0) else { return [None, None] };
     let beyond = match system.soil.largest_fitted_slip() {
         Some(largest) => SLIP_BEYOND_OWN_FIT.when(slip > largest),
         None => SLIP_BEYOND_FIT.of(slip),
@@ -125,6 +127,11 @@ pub(crate) fn cautions_with_sinkage(
         }
         _ => None,
     };
+    // Both have one exponent, so that the moduli are to each other as the pressures.
+    let unlike = outcome.found_curve.and_then(|found| {
+        let own = system.curve(outcome.slip).ok()?;
+        MODULUS_UNLIKE_SOIL.of(found.modulus / own.modulus)
+    });
     let of_outcome = [
         DEEP_SINKAGE.of(outcome.sinkage / system.wheel.radius()),
         beyond_gain,
@@ -135,6 +142,7 @@ pub(crate) fn cautions_with_sinkage(
         INTEGRATION_ERROR.of(outcome.integration_error),
         LOAD_RESIDUAL.of(residual),
         drift,
+        unlike,
     ];
     let across = side_cautions(operation, outcome);
     let grains = grain_cautions(operation, outcome);

@@ -121,13 +121,13 @@ impl WheelOnSoil {
     }
 
     /// The wheel rolling at `slip` under a load that is known: of its pressure–sinkage law the exponent counts alone, and the modulus
-    /// is 1.
+    /// is 1. A soil may have that exponent without a law.
     ///
     /// # Errors
     /// What [`WheelOnSoil::rolling`] refuses but for the modulus.
     pub fn rolling_under_load(&self, slip: Slip) -> Result<Rolling<'_>, Error> {
-        let curve = match self.soil.pressure_sinkage() {
-            Some(law) => Some(law.shape(slip)?),
+        let curve = match self.soil.sinkage_exponent() {
+            Some(exponent) => Some(exponent.shape(slip)?),
             None => None,
         };
         self.rolling_on(slip, curve)

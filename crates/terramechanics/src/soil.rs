@@ -5,8 +5,8 @@
 
 use crate::error::{Error, SoilLaw};
 use crate::fault::InvalidInput;
-use crate::parameter::present;
-use crate::pressure_sinkage::PressureSinkage;
+use crate::parameter::{Parametrised, present};
+use crate::pressure_sinkage::{PressureSinkage, SinkageExponent};
 use crate::shear::ShearLaw;
 use crate::strength::Strength;
 
@@ -21,6 +21,8 @@ pub struct SoilParams {
     pub shear: Option<ShearLaw>,
     /// Pressure–sinkage law, where one is known; what a measured load gives does not need it.
     pub pressure_sinkage: Option<PressureSinkage>,
+    /// Sinkage exponent N, where it is known and no law is: under a load that is known, the integrals take nothing else of a law.
+    pub exponent_alone: Option<SinkageExponent>,
     /// Unit weight γ (N/m³), greater than 0, if known.
     pub unit_weight: Option<f64>,
     /// Shear deformation modulus K_y across the direction of travel (m), greater than 0, if it differs from the one along it.
@@ -57,6 +59,8 @@ impl Soil {
         let strength = present(&[Self::COHESION, Self::FRICTION_ANGLE], vec![cohesion, friction_angle]);
         let laws = params.shear.iter().flat_map(ShearLaw::parameters);
         let laws = laws.chain(params.pressure_sinkage.iter().flat_map(PressureSinkage::parameters));
+        let laws =
+            laws.chain(params.exponent_alone.iter().flat_map(|exponent| present(SinkageExponent::PARAMETERS, exponent.values())));
         let rest = present(&[Self::UNIT_WEIGHT, Self::LATERAL_SHEAR_MODULUS], vec![unit_weight, lateral_shear_modulus]);
         let grains = present(&[Self::BULK_DENSITY, Self::GRAVITY, Self::GRANULAR_STIFFNESS], grains.to_vec());
         InvalidInput::check(strength.chain(laws).chain(rest).chain(grains))?;
@@ -140,6 +144,13 @@ impl Soil {
         self.params.pressure_sinkage.as_ref()
     }
 
+    /// Sinkage exponent N: that of the pressure–sinkage law, else the one that is known without a law.
+    #[inline]
+    #[must_use]
+    pub fn sinkage_exponent(&self) -> Option<SinkageExponent> {
+        self.params.pressure_sinkage.as_ref().map(PressureSinkage::exponent).or(self.params.exponent_alone)
+    }
+
     /// Shear law, where one is known.
     #[must_use]
     pub fn shear(&self) -> Option<&ShearLaw> {
@@ -182,6 +193,7 @@ impl SoilParams {
         friction_angle: 0.0,
         shear: None,
         pressure_sinkage: None,
+        exponent_alone: None,
         unit_weight: None,
         lateral_shear_modulus: None,
         bulk_density: None,

@@ -189,6 +189,7 @@ fn a_rule_for_the_peak_that_is_set_aside_is_said() {
             sinkage: 0.02,
             normal: None,
             standstill_normal: None,
+            found_curve: None,
             integration_error: 0.0,
             mobilised_share: None,
         };

@@ -203,6 +203,7 @@ fn a_wheel_of_unknown_lug_height_has_the_same_forces_and_says_so() {
             sinkage: 0.02,
             normal: None,
             standstill_normal: None,
+            found_curve: None,
             integration_error: 0.0,
             mobilised_share: None,
         };

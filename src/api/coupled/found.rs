@@ -1,6 +1,6 @@
 //! Torque and pull from a load that is measured.
 
-use terramechanics::{Angles, Circles, CoupledForces, Sinkage, Slip};
+use terramechanics::{Angles, Circles, CoupledForces, Heading, Sinkage, Slip};
 
 use super::request::CoupledCase;
 use crate::problem::Problem;
@@ -8,7 +8,8 @@ use crate::warning::{Warning, of_point};
 
 /// What follows from the load, and from the torque where that is measured.
 pub(crate) struct FoundCoupled {
-    pub(crate) slip: Slip,
+    /// None where it was not sent.
+    pub(crate) slip: Option<Slip>,
     pub(crate) sinkage: f64,
     pub(crate) circles: Circles,
     pub(crate) angles: Angles,
@@ -24,9 +25,13 @@ pub(crate) struct FoundCoupled {
 pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
     let CoupledCase { system, motion, sinkage, known } = case;
     let refused = |error| Problem::refused(&error, &Sinkage::Given(*sinkage));
-    let (angles, forces) = known.at(system, motion.slip, *sinkage).map_err(refused)?;
-    let forces = forces.heading(motion.heading);
+    let (slip, heading) = (motion.map(|motion| motion.slip), motion.map_or(Heading::Forward, |motion| motion.heading));
+    // Without a slip the contact is the same at any.
+    let (angles, forces) = known.at(system, slip.unwrap_or(Slip::ROLLING), *sinkage).map_err(refused)?;
+    // What is told of a torque against the slip is of the wheel that moves forward.
+    let cautions = forces.cautions(system, slip, *sinkage);
+    let forces = forces.heading(heading);
     let circles = system.contact.circles();
-    let warnings = of_point(forces.cautions(system, motion.slip, *sinkage), system, motion.heading);
-    Ok(FoundCoupled { slip: motion.slip, sinkage: *sinkage, circles, angles, forces, warnings })
+    let warnings = of_point(cautions, system, heading);
+    Ok(FoundCoupled { slip, sinkage: *sinkage, circles, angles, forces, warnings })
 }

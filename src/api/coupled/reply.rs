@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 
 use serde::Serialize;
+use terramechanics::Slip;
 use utoipa::ToSchema;
 
 use super::found::FoundCoupled;
-use crate::reply::{AnglesReply, Reply, one_row};
+use crate::reply::{AnglesReply, Reply, one_row, or_null};
 use crate::request::circles::words;
 use crate::warning::Warning;
 
@@ -14,7 +15,9 @@ use crate::warning::Warning;
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = CoupledForces)]
 pub(crate) struct CoupledReply {
-    /// Slip ratio s (–).
+    /// Slip ratio s (–); null where none was sent beside the torque.
+    #[serde(serialize_with = "or_null")]
+    #[schema(value_type = Option<f64>)]
     slip: f64,
     /// Sinkage z (m).
     sinkage_m: f64,
@@ -36,7 +39,7 @@ impl From<FoundCoupled> for CoupledReply {
     fn from(FoundCoupled { slip, sinkage, circles, angles, forces, warnings }: FoundCoupled) -> Self {
         let (shear_displacement_radius, slip_radius) = words(circles);
         Self {
-            slip: slip.ratio(),
+            slip: slip.map_or(f64::NAN, Slip::ratio),
             sinkage_m: sinkage,
             shear_displacement_radius,
             slip_radius,

@@ -81,8 +81,8 @@ pub(super) fn set_numbers(case: &mut ForcesCase, setters: &[Setter], values: &[f
             Part::Soil => {
                 let mut values = soil.values();
                 *values.get_mut(setter.place)? = Some(value);
-                let SoilParams { shear, pressure_sinkage, .. } = soil;
-                soil = SoilParams { shear, pressure_sinkage, ..SoilParams::from_values(values)? };
+                let SoilParams { shear, pressure_sinkage, exponent_alone, .. } = soil;
+                soil = SoilParams { shear, pressure_sinkage, exponent_alone, ..SoilParams::from_values(values)? };
                 new_soil = true;
             }
             Part::PressureSinkage => {

@@ -29,6 +29,7 @@ pub(crate) fn towed(TowedCase { operation, load }: &TowedCase) -> Result<FoundTo
         integration_error: towed.forces.integration_error,
         mobilised_share: None,
         standstill_normal: None,
+        found_curve: None,
     };
     let warnings = of_point(cautions(operation, &outcome), &operation.system, Heading::Forward);
     let in_grains = operation.model.method == Method::ResistiveForce;

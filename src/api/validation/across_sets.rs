@@ -65,8 +65,7 @@ struct PooledResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
     program: Option<&'static str>,
-    /// Name of the series, or of a further way to run the sets: `known_load`, with the sinkage measured or from the standstill by
-    /// (18) beside the load; or by another convention, the same for all sets. Absent for another program.
+    /// Name of the series, or of a further way to run the sets by another convention, the same for all. Absent for another program.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "quadrature")]
     series: Option<&'static str>,

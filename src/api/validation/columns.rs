@@ -73,7 +73,7 @@ impl Serialize for PredictedColumns {
 
 impl PartialSchema for PredictedColumns {
     fn schema() -> RefOr<Schema> {
-        const DOC: &str = "By method, and by the options that differ from the defaults of a request; the sinkage is solved for the load. \
+        const DOC: &str = "By method, and by the options that differ from the defaults of a request; the sinkage is solved for the load, save under a `known_load`: there it is the measured one, or follows from that of the first point by (18), and the load takes the place of the modulus. \
                            Sets at a slip angle have no closed forms; sets of braking wheels have both laws of braking.";
         let runs = all_runs().into_iter();
         let object = runs.fold(ObjectBuilder::new().description(Some(DOC)), |object, run| {

@@ -13,7 +13,7 @@ use crate::reply::Reply;
 use crate::request::soil::SoilObject;
 use crate::request::system::ContactObject;
 use crate::request::wheel::WheelObject;
-use crate::validation::{MeasurementGrade, Prediction, Record, root_mean_square};
+use crate::validation::{Known, MeasurementGrade, Prediction, Record, root_mean_square};
 use crate::warning::Warning;
 
 /// A set of published measurements, with what each method gives for it.
@@ -79,6 +79,11 @@ struct ValidationResult {
     #[schema(example = "quadrature")]
     series: &'static str,
     method: &'static str,
+    /// Where the sinkage beside a known load comes from, `measured` at each point or `from_standstill` by (18) from the first;
+    /// absent where it is solved for the load.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false, example = "measured")]
+    sinkage_known: Option<&'static str>,
     /// Law of braking, `one_zone` or `two_zone`; it matters at slips below 0 only.
     #[schema(example = "one_zone")]
     braking: &'static str,
@@ -120,13 +125,15 @@ impl ValidationResult {
         Self {
             series: run.series,
             method: run.method,
+            sinkage_known: run.known.map(Known::name),
             braking: run.braking,
             shear_coupling: run.side.map(|laws| laws.shear_coupling),
             bulldozing: run.side.map(|laws| laws.bulldozing),
             // No set was fitted by what grains take of a soil.
             fitted: record.fitted_to.is_some() && !run.is_by_grains(),
             drawbar_rmse_over_load: error("drawbar_coefficient"),
-            sinkage_rmse_m: error("sinkage_m"),
+            // A measured sinkage predicts none.
+            sinkage_rmse_m: if run.known == Some(Known::Measured) { None } else { error("sinkage_m") },
             torque_rmse_n_m: error("torque_n_m"),
             lateral_rmse_over_load: error("lateral_coefficient"),
             solved: record.points().slip.len() - unsolved,

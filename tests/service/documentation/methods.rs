@@ -89,6 +89,23 @@ fn the_table_is_the_advice_of_the_model() {
     assert_eq!(table(TEXT, "# Which method to use"), rows);
 }
 
+/// A row says that a soil was fitted to the very tests where it was, and no other row does.
+#[test]
+fn a_row_says_whether_its_soil_was_fitted() {
+    let fitted = |id: &str| get(&format!("/v1/validation/{id}")).ok()["fitted_to"].is_string();
+    let braking = ["cmu-smooth-braking", "cmu-grousered-braking"];
+    assert!(braking.iter().all(|id| fitted(id)) && !SETS.iter().any(|(id, _)| fitted(id)));
+    let advice = get("/v1/model").ok()["advice"].as_array().expect("advice").clone();
+    let says: Vec<bool> = advice.iter().map(|row| row["pull_error"].to_string().contains("fitted to these tests")).collect();
+    let brakes: Vec<bool> = advice.iter().map(|row| row["when"].to_string().contains("braking")).collect();
+    assert_eq!(says, brakes);
+    assert_eq!(brakes.iter().filter(|brakes| **brakes).count(), 1);
+    let document: Value = serde_json::from_str(include_str!("../../../openapi/openapi.json")).expect("JSON");
+    let meaning = document["components"]["schemas"]["Advice"]["properties"]["pull_error"]["description"].to_string();
+    assert!(meaning.contains("unless it says so"), "{meaning}");
+    assert!(TEXT.contains("Nothing was fitted unless the row says so"));
+}
+
 /// Each number of the last column, from the measured points.
 #[test]
 fn the_errors_are_those_of_the_service() {
@@ -129,7 +146,7 @@ fn the_errors_are_those_of_the_service() {
             error(&all, quadrature)
         ),
         format!(
-            "{} of the load on a smooth wheel, {} with lugs (3 of 4 points each)",
+            "{} of the load on a smooth wheel, {} with lugs (3 of 4 points each), on soils that were fitted to these tests",
             braking("cmu-smooth-braking"),
             braking("cmu-grousered-braking")
         ),

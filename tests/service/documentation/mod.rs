@@ -9,6 +9,7 @@ mod methods;
 mod operations;
 mod optimum;
 mod readme;
+mod uncertain_inputs;
 mod uncertainty;
 mod validation;
 

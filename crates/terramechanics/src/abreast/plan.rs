@@ -7,9 +7,10 @@ use crate::contact::{Contact, ExitRule};
 use crate::forces::{Changing, ForceModel, Lambda, Method};
 use crate::load::{bekker_estimate, is_met};
 use crate::operating_point::{KnownSinkage, OperatingPoint, Sinkage};
-use crate::pressure_sinkage::{Plate, PressureCurve, PressureSinkage};
+use crate::pressure_sinkage::{Plate, PressureCurve};
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
+use crate::soil::Soil;
 use crate::strength::Strength;
 
 /// What points of one wheel on one soil have in common, where a closed form gives their forces.
@@ -17,7 +18,6 @@ pub(crate) struct Plan<'a> {
     pub(super) shared: Shared<'a>,
     system: &'a WheelOnSoil,
     sinkage: &'a Sinkage,
-    law: Option<&'a PressureSinkage>,
     plate: Plate,
     /// The numbers that do not change with slip.
     fixed: Setting,
@@ -44,7 +44,6 @@ impl<'a> Plan<'a> {
         if sought == Sought::Balance && !leaves_at_lowest_point(contact) {
             return None;
         }
-        let law = soil.pressure_sinkage();
         let strength = Strength::of(soil, contact.params().interface.as_ref()).ok()?;
         let (rings, leverage) = (Rings::of(contact.circles(), wheel), model.leverage(system, &strength));
         let by = Changing { method: &model.method, contact, shear: soil.shear()? };
@@ -53,12 +52,9 @@ impl<'a> Plan<'a> {
         let fixed = Setting { radius, rings, leverage, slip, sinkage: f64::NAN, modulus, exponent, load };
         let shared = Shared { by, sought, lugged: rings.offset != 0.0 };
         let plate = system.plate();
-        let is_fixed = match law {
-            Some(law) => law.exponent().is_fixed(),
-            None => true,
-        };
-        let fixed_curve = if is_fixed { curve_of(law, &plate, sought, Slip::ROLLING) } else { None };
-        Some(Self { shared, system, sinkage, law, plate, fixed, fixed_curve })
+        let is_fixed = soil.sinkage_exponent().is_none_or(|exponent| exponent.is_fixed());
+        let fixed_curve = if is_fixed { curve_of(soil, &plate, sought, Slip::ROLLING) } else { None };
+        Some(Self { shared, system, sinkage, plate, fixed, fixed_curve })
     }
 
     /// The numbers at `slip`, where a balance is perhaps `near` a sinkage (m); none for what is left to a point alone.
@@ -130,7 +126,7 @@ impl<'a> Plan<'a> {
     fn curve(&self, slip: Slip) -> Option<PressureCurve> {
         match self.fixed_curve {
             Some(curve) => Some(curve),
-            None => curve_of(self.law, &self.plate, self.shared.sought, slip),
+            None => curve_of(&self.system.soil, &self.plate, self.shared.sought, slip),
         }
     }
 
@@ -186,14 +182,15 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Pressure over depth by a `law`; with an exponent that is no number where a known load does without.
+/// Pressure over depth on a `soil`; with an exponent that is no number where a known load does without.
 #[inline(always)]
-fn curve_of(law: Option<&PressureSinkage>, plate: &Plate, sought: Sought, slip: Slip) -> Option<PressureCurve> {
-    match (sought, law) {
-        (Sought::ForcesUnderLoad, Some(law)) => law.shape(slip).ok(),
-        (Sought::ForcesUnderLoad, None) => Some(PressureCurve { modulus: 1.0, exponent: f64::NAN }),
-        (_, Some(law)) => law.curve(plate, slip).ok(),
-        (_, None) => None,
+fn curve_of(soil: &Soil, plate: &Plate, sought: Sought, slip: Slip) -> Option<PressureCurve> {
+    match sought {
+        Sought::ForcesUnderLoad => match soil.sinkage_exponent() {
+            Some(exponent) => exponent.shape(slip).ok(),
+            None => Some(PressureCurve { modulus: 1.0, exponent: f64::NAN }),
+        },
+        Sought::Forces | Sought::Balance => soil.pressure_sinkage()?.curve(plate, slip).ok(),
     }
 }
 

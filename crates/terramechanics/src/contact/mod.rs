@@ -167,7 +167,8 @@ impl Contact {
     }
 
     /// Whether the peak of a contact of one zone lies elsewhere at another slip.
-    pub(crate) fn peak_moves_with_slip(&self) -> bool {
+    #[must_use]
+    pub fn peak_moves_with_slip(&self) -> bool {
         match self.params.rule {
             PeakRule::WongReece(rule) => rule.c2 != 0.0,
             PeakRule::Midpoint | PeakRule::HalfSinkage => false,

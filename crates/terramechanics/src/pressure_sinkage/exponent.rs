@@ -1,6 +1,8 @@
 //! How fast does pressure grow with depth, and how does slip change that? N = n0 + n1 s (letter, below Eq. 1; Ding et al. 2010,
 //! source 5), with a gain of its own at negative slip where one was measured (Pavlov & Johnson 2024, source 25).
 
+use super::PressureCurve;
+use crate::error::Error;
 use crate::fittable::{Fittable, Step, Tolerance};
 use crate::parameter::{Parameter, Parametrised, Presence, Requirement};
 use crate::slip::Slip;
@@ -92,6 +94,16 @@ impl SinkageExponent {
 }
 
 impl SinkageExponent {
+    /// How pressure grows with depth at `slip`, with a modulus of 1.
+    ///
+    /// # Errors
+    /// [`Error::ExponentNotPositive`].
+    #[inline]
+    pub(crate) fn shape(&self, slip: Slip) -> Result<PressureCurve, Error> {
+        let exponent = self.at(slip);
+        if exponent <= 0.0 { Err(Error::ExponentNotPositive { exponent }) } else { Ok(PressureCurve { modulus: 1.0, exponent }) }
+    }
+
     /// Whether it is the same at any slip.
     pub(crate) fn is_fixed(&self) -> bool {
         self.slip_gain == 0.0 && self.skid_gain.is_none_or(|gain| gain == 0.0)

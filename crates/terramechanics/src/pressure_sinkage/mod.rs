@@ -85,16 +85,6 @@ pub(crate) fn pressure<F: Number>(modulus: F, exponent: F, depth: F) -> F {
 }
 
 impl PressureSinkage {
-    /// How pressure grows with depth at `slip`, with a modulus of 1.
-    ///
-    /// # Errors
-    /// [`Error::ExponentNotPositive`].
-    #[inline]
-    pub(crate) fn shape(&self, slip: Slip) -> Result<PressureCurve, Error> {
-        let exponent = self.exponent().at(slip);
-        if exponent <= 0.0 { Err(Error::ExponentNotPositive { exponent }) } else { Ok(PressureCurve { modulus: 1.0, exponent }) }
-    }
-
     /// Pressure over depth under `plate` of a wheel at `slip`; a plate that is only pressed in has [`Slip::ROLLING`].
     ///
     /// # Errors
@@ -113,7 +103,7 @@ impl PressureSinkage {
     /// ```
     #[inline(always)] // see `WheelOnSoil::rolling`
     pub fn curve(&self, plate: &Plate, slip: Slip) -> Result<PressureCurve, Error> {
-        let PressureCurve { exponent, .. } = self.shape(slip)?;
+        let PressureCurve { exponent, .. } = self.exponent().shape(slip)?;
         let modulus = self.sinkage_modulus(plate, exponent);
         if modulus.is_nan() || modulus <= 0.0 {
             return Err(Error::ModulusNotPositive { modulus });

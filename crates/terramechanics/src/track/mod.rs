@@ -216,7 +216,7 @@ impl Tracker {
             CautionTally::count(
                 &mut self.cautions,
                 index,
-                coupled_cautions(&self.operation.system, outcome.slip, outcome.sinkage),
+                coupled_cautions(&self.operation.system, Some(outcome.slip), outcome.sinkage),
             );
         }
         row

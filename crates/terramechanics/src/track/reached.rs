@@ -117,6 +117,7 @@ impl Tracker {
             integration_error: 0.0,
             mobilised_share: None,
             standstill_normal: None,
+            found_curve: None,
         };
         let (sinkage_modulus, granular_stiffness) = (f64::NAN, f64::NAN);
         Ok(Found { forces, outcome, sinkage_modulus, granular_stiffness, coupled: Some(Ok(coupled)) })

@@ -154,6 +154,7 @@ impl Vehicle {
                 integration_error: wheel.forces.integration_error,
                 mobilised_share: wheel.forces.side.map(|side| side.mobilised_share),
                 standstill_normal: None,
+                found_curve: None,
             };
             let all: Vec<Caution> = cautions(&self.operation(station, wheel.load), &outcome).collect();
             all.into_iter().map(move |caution| (station, caution))

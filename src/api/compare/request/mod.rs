@@ -44,7 +44,7 @@ impl Variation {
         let is_there = self.operations.iter().any(|operation| operation.model.method == Method::Quadrature);
         let first = self.operations.first().filter(|_| !is_there)?;
         let soil = first.system.soil;
-        soil.shear().and(soil.pressure_sinkage().map(|_| ()))?;
+        soil.shear().and(soil.sinkage_exponent().map(|_| ()))?;
         Some(Operation { model: ForceModel { method: Method::Quadrature, ..first.model }, ..*first })
     }
 }
