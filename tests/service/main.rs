@@ -27,6 +27,7 @@ mod interface;
 mod known_load;
 mod log;
 mod optimum;
+mod optimum_told;
 mod page;
 mod presets;
 mod problems;

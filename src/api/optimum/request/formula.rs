@@ -29,10 +29,18 @@ pub(super) struct Names<'a> {
     pub(super) columns: Vec<&'static str>,
 }
 
+impl<'a> Names<'a> {
+    /// All of them. A variable may be a quantity of the answer as well, such as the slip.
+    fn each_once(&self) -> Vec<&'a str> {
+        let columns = self.columns.iter().copied().filter(|column| !self.variables.contains(column));
+        self.variables.iter().copied().chain(columns).collect()
+    }
+}
+
 /// A formula whose names are not looked up yet.
 #[derive(Debug, Clone)]
 pub(super) struct Unresolved {
-    text: String,
+    pub(super) text: String,
     expression: Expression,
 }
 
@@ -48,6 +56,11 @@ pub(super) fn read(text: &str, place: &Scope<'_>) -> Option<Unresolved> {
 }
 
 impl Unresolved {
+    /// A formula that is known to be sound.
+    pub(super) fn of(text: &str) -> Option<Self> {
+        Some(Self { text: text.to_owned(), expression: Expression::new(text).ok()? })
+    }
+
     /// The formula with its names looked up; one that is not known is reported.
     pub(super) fn resolved(self, names: &Names<'_>, place: &Scope<'_>) -> Option<Formula> {
         let Self { text, expression } = self;
@@ -55,8 +68,7 @@ impl Unresolved {
             let variable = names.variables.iter().position(|known| known == name).map(Source::Variable);
             let found = variable.or_else(|| names.columns.iter().position(|known| known == name).map(Source::Column));
             if found.is_none() {
-                let known: Vec<&str> = names.variables.iter().copied().chain(names.columns.iter().copied()).collect();
-                unknown_word(place, name, &known);
+                unknown_word(place, name, &names.each_once());
             }
             found
         };
