@@ -107,6 +107,9 @@ fn a_slope_that_no_rover_climbs_makes_no_design() {
     assert!((number(&found["quantities"]["largest_slope_rad"]) - 0.7 - short).abs() < 1e-12 && short < 0.0);
     let ([feasible, climbs], told) = of_table(&light_rover(0.7, json!({})), ["feasible", "climbs"]);
     assert!(feasible == [Some(0.0)] && climbs == [Some(0.0)] && told.contains("infeasible"), "{told}");
+    // What such a rover spends has no value.
+    let said = post("/v1/optimum", &light_rover(0.7, json!({"minimise": "energy_per_metre_j_m"}))).fault("/minimise");
+    assert!(said.ends_with("that have an answer, because the rover climbs its slope at none of them"), "{said}");
     let body = sought(wheels(), json!({"minimise": "torque_n_m", "must_climb": true}));
     assert_eq!(post("/v1/optimum", &body).fault("/must_climb"), "is for a rover alone, with `of` vehicle");
 }
@@ -135,6 +138,7 @@ fn a_name_that_means_something_else_is_refused() {
     assert!((value_of_slip(&optimum(&body("(slip - 0.4)^2"))) - 0.4).abs() < 1e-3);
     let said = post("/v1/optimum", &body("colour")).fault("/minimise");
     assert_eq!(said.split([' ', ',']).filter(|name| *name == "slip").count(), 1, "{said}");
+    assert!(said.ends_with(". A field that does not vary stands as its number"), "{said}");
 }
 
 fn value_of_slip(found: &Value) -> f64 {

@@ -15,8 +15,9 @@ pub(super) struct Asked<'s, R> {
     cells: Vec<f64>,
     /// The constraint that the rover climbs, by its place among the outputs, and the column that says whether it does.
     climb: Option<[usize; 2]>,
-    /// Points that had an answer, and at how many of them each formula had a value.
+    /// Points that had an answer, those of them with a rover for which no slip gives the pull, and at how many each formula had a value.
     answered: u32,
+    stuck: u32,
     finite: Vec<u32>,
     /// What is to be said of all points that were tried; only where none has an answer it is told.
     tally: Tally,
@@ -40,7 +41,7 @@ impl<'s, R: Varied> Asked<'s, R> {
         let climb = goals.climb().zip(climbs).map(|(constraint, column)| [first + constraint, column]);
         let finite = vec![0; first + goals.constraints.len()];
         let template = sought.template.clone();
-        Self { sought, template, cells: Vec::new(), climb, answered: 0, finite, tally: Tally::default() }
+        Self { sought, template, cells: Vec::new(), climb, answered: 0, stuck: 0, finite, tally: Tally::default() }
     }
 
     /// The goals and the constrained quantities.
@@ -55,6 +56,7 @@ impl<'s, R: Varied> Asked<'s, R> {
         let formulas = self.sought.goals.formulas();
         let outputs: Vec<f64> = formulas.map(|formula| formula.value(values, &self.cells)).collect();
         self.answered += 1;
+        self.stuck += u32::from(status == RowStatus::NotClimbed);
         self.finite.iter_mut().zip(&outputs).for_each(|(finite, output)| *finite += u32::from(output.is_finite()));
         match self.climb {
             // A slope below the largest one may be a descent on which nothing holds the rover.
@@ -103,12 +105,13 @@ impl<'s, R: Varied> Asked<'s, R> {
             let detail = format!("has no answer at any of {evaluations} points within the bounds{reason}");
             return vec![FieldFault::new("/request", detail)];
         }
+        let why = if self.stuck == answered { ", because the rover climbs its slope at none of them" } else { "" };
         let goals = &self.sought.goals;
         let told = || goals.formulas().zip(goals.pointers()).zip(&self.finite);
         let never = told().filter(|(_, finite)| **finite == 0).map(|((formula, pointer), _)| {
             let of = formula.text.as_str();
             let detail =
-                format!("`{of}` has no finite value at any of the {answered} points within the bounds that have an answer");
+                format!("`{of}` has no finite value at any of the {answered} points within the bounds that have an answer{why}");
             FieldFault::new(pointer, detail)
         });
         let never: Vec<FieldFault> = never.collect();

@@ -1,7 +1,9 @@
 //! A quantity: the name of one, or a formula of several.
 
 use terramechanics_optimum::{Expression, MOST_CHARACTERS};
-use terramechanics_reading::{Scope, Text, unknown_word};
+use terramechanics_reading::{Scope, Text, shortened};
+
+use crate::words::HINTS;
 
 /// A formula as it is sent.
 pub(super) const TEXT: Text = Text { longest: MOST_CHARACTERS };
@@ -68,7 +70,14 @@ impl Unresolved {
             let variable = names.variables.iter().position(|known| known == name).map(Source::Variable);
             let found = variable.or_else(|| names.columns.iter().position(|known| known == name).map(Source::Column));
             if found.is_none() {
-                unknown_word(place, name, &names.each_once());
+                let (known, name) = (names.each_once(), shortened(name));
+                match HINTS.nearest(&name, &known) {
+                    Some(near) => place.fault(format_args!("unknown name `{name}`; did you mean `{near}`?")),
+                    None => place.fault(format_args!(
+                        "unknown name `{name}`; known are {}. A field that does not vary stands as its number",
+                        known.join(", ")
+                    )),
+                }
             }
             found
         };
