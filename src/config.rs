@@ -77,7 +77,7 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_COMPUTE_PLACES", default_value_t = 64, value_parser = clap::value_parser!(u16).range(1..), value_name = "N")]
     pub compute_places: u16,
 
-    /// Highest price of one computation, in seconds of processor time; beyond that the answer is 422.
+    /// Highest price of one computation that is answered as a whole, in seconds of processor time; beyond that the answer is 422.
     #[arg(long, env = "TERRAMECHANICS_PRICE_LIMIT", default_value_t = 60, value_parser = seconds(), value_name = "SECONDS")]
     pub price_limit: u64,
 
@@ -132,7 +132,7 @@ pub struct Serve {
     #[arg(long, env = "TERRAMECHANICS_STREAM_IDLE_TIMEOUT", default_value_t = 30, value_parser = seconds(), value_name = "SECONDS")]
     pub stream_idle_timeout: u64,
 
-    /// Seconds in which a stream has to end; its bytes are not limited.
+    /// Seconds in which a stream has to end, and the highest price of a sweep that is answered as one; its bytes are not limited.
     #[arg(long, env = "TERRAMECHANICS_STREAM_TIMEOUT", default_value_t = 3600, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "SECONDS")]
     pub stream_timeout: u64,
 

@@ -34,12 +34,15 @@ pub(crate) struct LimitsReply {
 }
 
 /// What a computation may cost, in seconds of processor time. The price of a sweep or a comparison is the sum over its points, series
-/// by series, plus the allowance. Work that takes `overdraft` times its price is ended.
+/// by series, plus the allowance. Work that is answered as a whole is ended where it takes `overdraft` times its price, a stream at
+/// `stream_time_s`.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Price)]
 struct PriceReply {
-    /// Highest price of a request (s).
+    /// Highest price of a request that is answered as a whole (s).
     limit_s: f64,
+    /// Highest price of a sweep that is answered as a stream, row by row (s): it may take as long as a stream may.
+    stream_limit_s: f64,
     /// Allowance on top of the price of several points (s), for contacts that are stiffer than most.
     allowance_s: f64,
     /// How many times its price a computation may take (–).
@@ -60,7 +63,8 @@ struct PointPrice {
 /// What the service takes, and what a computation may cost
 ///
 /// The bounds that hold for every request, and how its price follows from its input. A price above the limit is refused before the
-/// work begins (422, `too-costly`).
+/// work begins (422, `too-costly`). A batch or a track that streams has no price, because nobody knows its rows before they arrive: it
+/// ends at `stream_time_s`.
 #[utoipa::path(get, path = "/v1/limits", tag = "operations", responses((status = 200, description = "The limits", body = LimitsReply), InvalidQuery, Limits))]
 pub(crate) async fn limits(State(service): State<Service>, _: NoQuery) -> Result<Response, Problem> {
     let limits = service.limits();
@@ -74,6 +78,7 @@ pub(crate) async fn limits(State(service): State<Service>, _: NoQuery) -> Result
         answer_bytes: limits.answers,
         price: PriceReply {
             limit_s: limits.price.as_secs_f64(),
+            stream_limit_s: limits.stream_deadline.as_secs_f64(),
             allowance_s: allowance().as_secs_f64(),
             overdraft: OVERDRAFT,
             points: Point::all().map(|point| PointPrice { work: point.work, price_s: point.price().as_secs_f64() }).collect(),

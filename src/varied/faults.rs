@@ -1,6 +1,6 @@
 //! Which fields may vary, and what is wrong with those that may not.
 
-use terramechanics_reading::{FieldFault, Number, Object, Path, Scope, shortened};
+use terramechanics_reading::{Astray, FieldFault, Number, Object, Path, Scope, shortened};
 
 use crate::words::HINTS;
 
@@ -16,8 +16,12 @@ pub(crate) struct RowFault {
 /// The path and the number of a field that is to vary, which `pointer` names; what is wrong with it is reported to `place`.
 pub(crate) fn varied_field(object: &'static Object, pointer: &str, place: &Scope<'_>) -> Option<(Path, Number)> {
     let Some(path) = Path::of_pointer(pointer) else {
-        let meant = Path::of_dotted(pointer).filter(|path| object.number_at(path, &HINTS).is_ok());
-        let hint = meant.map_or_else(String::new, |path| format!("; did you mean `{}`?", path.pointer()));
+        let hint = match Path::of_dotted(pointer).map(|path| (object.number_at(&path, &HINTS), path)) {
+            Some((Ok(_), path)) => format!("; did you mean `{}`?", path.pointer()),
+            // One word alone is no path: what is near to it may be anywhere.
+            Some((Err(Astray::Unknown { hint, .. }), path)) if path.names().len() > 1 => format!("; {hint}"),
+            Some((Err(_), _)) | None => String::new(),
+        };
         place.fault(format_args!(
             "must be the JSON pointer of a field of the request, such as `/slip`, not `{}`{hint}",
             shortened(pointer)

@@ -22,7 +22,7 @@ pub(crate) use place::Rows;
 pub(crate) use plausible::implausible;
 pub(crate) use table::{Finding, NOTES, Note};
 pub(crate) use tally::Tally;
-pub(crate) use words::Reason;
+pub(crate) use words::{Reason, listed};
 
 use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};
 use terramechanics_reading::Assumption;

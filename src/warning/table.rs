@@ -351,6 +351,18 @@ findings! { many;
         }
     };
 
+    "infeasible" Infeasible { missed: Vec<String> }
+    means "No point was found within the bounds of an optimum that keeps all constraints: which ones the point of the answer misses, and by how much."
+    says format!("no point was found that keeps all constraints; this one misses {}.", listed(missed)),
+    advises "It is no design to be built: of all points it misses the constraints least. `met_alone` of a constraint tells whether another point meets it. \
+             Loosen a constraint or widen the bounds.";
+
+    "not_converged" SearchUnfinished {}
+    means "The search for an optimum spent its evaluations before it ended by itself: of which points, where there are several."
+    field "/evaluations",
+    says if many { "the searches of these points spent their evaluations." } else { "the search spent its evaluations." },
+    advises "A better point may be near. Raise `evaluations`, take fewer `starts`, or narrow the bounds.";
+
     "not_converged" LineNotSolved {}
     means "The line of the linear estimator could not be solved, because its numbers differ too much in size."
     says "the line could not be solved, because its numbers differ too much in size.",

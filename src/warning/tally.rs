@@ -2,7 +2,7 @@
 
 use terramechanics::Caution;
 
-use super::{Finding, Rows, Warning};
+use super::{Finding, Reason, Rows, Warning};
 
 /// Findings that are told apart; of more kinds than there are fields to be wrong nothing is kept.
 const MOST_FINDINGS: usize = 100;
@@ -46,9 +46,15 @@ impl Tally {
         }
     }
 
-    /// The rows of a finding of that kind about that field.
+    /// The rows of a finding of that kind about that field; a refusal of the model is the same if it has the same cause.
     fn same(&mut self, finding: &Finding) -> Option<&mut Rows> {
-        let is_same = |known: &Finding| known.code() == finding.code() && known.pointer() == finding.pointer();
+        let kind = |of: &Finding| match of {
+            Finding::NoSolution { reason: Reason::Model(error), .. } => Some(std::mem::discriminant(error)),
+            _ => None,
+        };
+        let is_same = |known: &Finding| {
+            known.code() == finding.code() && known.pointer() == finding.pointer() && kind(known) == kind(finding)
+        };
         self.findings.iter_mut().find(|(known, _)| is_same(known)).map(|(_, rows)| rows)
     }
 
@@ -96,5 +102,32 @@ impl Tally {
             if rows.count() == all { warning } else { warning.at(rows) }
         });
         findings.chain(cautions).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use terramechanics::Error;
+
+    use super::*;
+    use crate::warning::no_solution;
+
+    #[test]
+    fn rows_without_a_solution_are_counted_by_cause() {
+        let heavy = |load: f64| Error::LoadBeyondCapacity { load, largest: 50.0, sinkage: 0.1 };
+        let light = Error::LoadTooLight { load: 1.0, least: 2.0, sinkage: 0.01 };
+        let mut tally = Tally::default();
+        for error in [heavy(80.0), light, heavy(90.0), heavy(100.0)] {
+            tally.begin_row();
+            tally.finding(no_solution(error, "/normal_load_n"));
+        }
+        let mut later = Tally::behind(4);
+        later.begin_row();
+        later.finding(no_solution(light, "/normal_load_n"));
+        tally.follow(later);
+        let told = tally.into_warnings();
+        let counts: Vec<u64> = told.iter().filter_map(|warning| Some(warning.rows.as_ref()?.count())).collect();
+        assert_eq!(counts, [3, 2]);
+        assert!(told[0].detail().contains("does not carry 80 N") && told[1].detail().contains("brakes"), "{told:?}");
     }
 }

@@ -28,6 +28,7 @@ mod known_load;
 mod log;
 mod manners;
 mod optimum;
+mod optimum_told;
 mod page;
 mod presets;
 mod problems;

@@ -8,7 +8,7 @@ use crate::asking::{letter, post, post_for_csv, table, with};
 const ROUNDING: f64 = 1e-6;
 
 /// Mass of an aluminium rim of 2 mm.
-const MASS: &str = "2700 * 0.002 * 2 * pi * radius_m * width_m";
+pub(crate) const MASS: &str = "2700 * 0.002 * 2 * pi * radius_m * width_m";
 
 fn mass(radius: f64, width: f64) -> f64 {
     2700.0 * 0.002 * std::f64::consts::TAU * radius * width
@@ -20,22 +20,22 @@ fn loaded() -> Value {
 }
 
 /// Radius and width of a wheel.
-fn wheels() -> Value {
+pub(crate) fn wheels() -> Value {
     json!([
         {"field": "/wheel/radius_m", "from": 0.05, "to": 0.2},
         {"field": "/wheel/width_m", "from": 0.03, "to": 0.2}
     ])
 }
 
-fn sought(variables: Value, goal: Value) -> Value {
+pub(crate) fn sought(variables: Value, goal: Value) -> Value {
     with(&json!({"of": "forces", "request": loaded(), "variables": variables}), goal)
 }
 
-fn optimum(body: &Value) -> Value {
+pub(crate) fn optimum(body: &Value) -> Value {
     post("/v1/optimum", body).ok()
 }
 
-fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 
@@ -244,7 +244,7 @@ fn the_best_point_as_a_table_has_one_row() {
 }
 
 /// A rover of 20 kg on the Moon, by the closed forms.
-fn rover() -> Value {
+pub(crate) fn rover() -> Value {
     json!({
         "mass_kg": 20, "gravity_m_s2": 1.625, "slope_rad": 0.1, "method": "linearised",
         "wheels": {"count": 4, "wheel": {"radius_m": 0.1, "width_m": 0.06}},

@@ -1,8 +1,11 @@
 //! `POST /v1/sweep`.
 
-use serde_json::{Value, json};
+use std::time::Duration;
 
-use crate::asking::{letter, post, post_for_csv, request, same_but_for_rounding, send, with};
+use serde_json::{Value, json};
+use terramechanics_server::{Limits, Service};
+
+use crate::asking::{letter, post, post_for_csv, request, same_but_for_rounding, send, send_to, with};
 
 /// A sweep of the letter's wheel.
 fn sweep(changes: Value, axes: Value) -> Value {
@@ -150,12 +153,13 @@ fn a_table_has_the_same_rows() {
 #[test]
 fn a_field_that_cannot_vary_is_told_why() {
     let of = |field: &str| fault(&with_axes(json!([{"field": field, "values": [0.1, 0.2]}])), "/axes/0/field");
-    assert_eq!(of("/wheel/raduis_m"), "the request has no field `/wheel/raduis_m`; did you mean `radius_m`?");
-    assert!(of("/soil/k_c").ends_with("`k_c` belongs in `pressure_sinkage`"), "{}", of("/soil/k_c"));
+    assert_eq!(of("/wheel/raduis_m"), "the request has no field `/wheel/raduis_m`; did you mean `/wheel/radius_m`?");
+    assert!(of("/soil/k_c").ends_with("did you mean `/soil/pressure_sinkage/k_c`?"), "{}", of("/soil/k_c"));
     assert_eq!(of("/method"), "must name a number, not a word");
     assert!(of("/wheel").starts_with("must name a number, not an object; its fields are preset, radius_m"));
     assert_eq!(of("/slip/x"), "`/slip` is a number, which has no fields");
     assert!(of("wheel.radius_m").ends_with("did you mean `/wheel/radius_m`?"), "{}", of("wheel.radius_m"));
+    assert!(of("wheel.radius").ends_with("; did you mean `/wheel/radius_m`?"), "{}", of("wheel.radius"));
     assert!(of("radius").starts_with("must be the JSON pointer of a field"));
     let body = sweep(json!({"wheel": 5}), json!([{"field": "/wheel/radius_m", "values": [0.1]}]));
     assert_eq!(fault(&body, "/axes/0/field"), "leads nowhere: `/wheel` of the request is a number");
@@ -257,6 +261,24 @@ fn a_sweep_beyond_its_price_is_refused_before_the_work() {
     let problem = post("/v1/sweep", &sweep(heavy, axes)).problem(422);
     assert_eq!(problem["type"], "/problems/too-costly");
     assert!(problem["detail"].as_str().expect("a detail").contains("60 s is the most"), "{problem}");
+}
+
+#[test]
+fn a_streamed_sweep_is_held_to_the_limit_that_is_published() {
+    // A thousand points under a load cost more than the allowance for stiff contacts, a second.
+    let axes = json!([{"field": "/slip", "from": 0, "to": 1, "points": 1000}]);
+    let body = sweep(json!({"sinkage_m": null, "normal_load_n": 80}), axes).to_string();
+    let limits = Limits { stream_deadline: Duration::from_secs(1), ..Limits::default() };
+    let ask = |accept: &str| {
+        let headers = [("content-type", "application/json"), ("accept", accept)];
+        send_to(Service::new(limits), request("POST", "/v1/sweep", &headers, body.clone()))
+    };
+    let published = send_to(Service::new(limits), request("GET", "/v1/limits", &[], "")).ok()["price"].clone();
+    assert_eq!((&published["stream_limit_s"], &published["limit_s"]), (&json!(1.0), &json!(60.0)));
+    let problem = ask("text/csv").problem(422);
+    assert_eq!(problem["type"], "urn:terramechanics:problem:too-costly");
+    assert!(problem["detail"].as_str().expect("a detail").contains("1 s is the most"), "{problem}");
+    assert!(ask("application/json").ok()["columns"]["status"].as_array().is_some_and(|rows| rows.len() == 1000));
 }
 
 fn rover(changes: Value) -> Value {

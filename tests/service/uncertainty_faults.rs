@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{post, with};
+use crate::asking::{get, post, with};
 use crate::uncertainty::{COHESION, MODULUS, of_two};
 
 #[test]
@@ -51,4 +51,63 @@ fn every_fault_is_pointed_at() {
     assert_eq!(pointers(json!({"request": {"sinkage_m": 0.5}})), ["/request/sinkage_m"]);
     assert_eq!(pointers(json!({"request": {"wheel": {"width_m": null}}})), ["/request/wheel/width_m"]);
     assert_eq!(post("/v1/uncertainty", &json!({})).pointers(), ["/of", "/request"]);
+}
+
+#[test]
+fn a_wrong_correlation_says_what_is_wanted() {
+    let said = |correlation: Value| post("/v1/uncertainty", &of_two(json!({"correlation": correlation}))).problem(422);
+    let detail = |correlation: Value| said(correlation)["errors"][0]["detail"].as_str().expect("a detail").to_owned();
+    assert_eq!(detail(json!([[1, 0.5]])), "must have 2 rows of 2 coefficients, one for each input; the number of rows is 1");
+    assert_eq!(detail(json!([[1, 0.5], [0.5]])), "must have 2 rows of 2 coefficients, one for each input; row 1 has 1");
+    assert_eq!(detail(json!([[1, 2], [0.5, 1]])), "must have numbers from -1 to 1; the one at 1 is 2");
+    assert_eq!(
+        detail(json!([[1, 1], [1, 1]])),
+        "is not positive definite: [1][0] makes inputs 0 and 1 the same one; it must be above -1 and below 1"
+    );
+}
+
+#[test]
+fn a_share_needs_a_value_to_be_relative_to() {
+    let fault = |field: &str, pointer: &str| {
+        let input = json!({"field": field, "distribution": "normal", "relative": 0.1});
+        post("/v1/uncertainty", &of_two(json!({"inputs": [input]}))).fault(pointer)
+    };
+    assert_eq!(
+        fault("/contact/c1", "/inputs/0/relative"),
+        "needs a value of the field to be relative to, and the request has none, itself or by a preset; give `mean` and `standard_deviation`"
+    );
+    let none = json!({"field": COHESION, "distribution": "uniform", "relative": 0.1});
+    let body = of_two(json!({"inputs": [none], "request": {"soil": {"cohesion_pa": 0}}}));
+    assert_eq!(
+        post("/v1/uncertainty", &body).fault("/inputs/0/relative"),
+        "makes no width, because the request has 0 for the field; give `low` and `high`"
+    );
+}
+
+#[test]
+fn a_condition_takes_no_formula() {
+    let body = of_two(json!({"conditions": [{"quantity": "0.1 - sinkage_m", "below": 0.08}]}));
+    let said = post("/v1/uncertainty", &body).fault("/conditions/0/quantity");
+    assert_eq!(said, "must be the name of one quantity of the answer; formulas are not taken here");
+}
+
+#[test]
+fn a_share_of_an_assumed_value_tells_what_was_assumed() {
+    // A soil of which nobody published the shear modulus.
+    let soil = "robomech2020-sand";
+    let catalogue: Value = serde_json::from_str(&get(&format!("/v1/soils/{soil}")).text).expect("JSON");
+    let substitute = catalogue["assumed"].as_array().expect("substitutes").iter().find(|one| one["field"] == "shear_modulus_m");
+    let value = substitute.expect("one of the shear modulus")["value"].as_f64().expect("a number");
+    let request = json!({"wheel": {"preset": "letter"}, "soil": {"preset": soil}, "slip": 0.2, "normal_load_n": 20});
+    let input = json!({"field": "/soil/shear_modulus_m", "distribution": "normal", "relative": 0.1});
+    let body = |assume: bool| {
+        let request = with(&request, json!({"assume": assume}));
+        json!({"of": "forces", "request": request, "inputs": [input], "samples": 256, "sensitivity": false})
+    };
+    assert!(post("/v1/uncertainty", &body(false)).fault("/inputs/0/relative").starts_with("needs a value"));
+    let found = post("/v1/uncertainty", &body(true)).ok();
+    assert_eq!(found["inputs"][0]["mean"], value);
+    assert_eq!((&found["assumed"][0]["field"], &found["assumed"][0]["value"]), (&json!("soil.shear_modulus_m"), &json!(value)));
+    let warned = |warning: &Value| warning["code"] == "assumed_values";
+    assert!(found["warnings"].as_array().expect("warnings").iter().any(warned), "{found}");
 }

@@ -24,6 +24,16 @@ pub struct OtherUnit {
     pub conversion: &'static str,
 }
 
+/// What was probably meant by the name of a field that is not known.
+enum Meant<'k> {
+    /// A field in another unit, with what to say of it.
+    InAnotherUnit(String),
+    /// A field of that object.
+    Within(&'static str, &'static str),
+    Near(&'k str),
+    Nothing,
+}
+
 impl Hints {
     /// No words.
     pub const NONE: Self = Self { synonyms: &[], units: &[] };
@@ -66,19 +76,41 @@ impl Hints {
     /// What to say of a field that is not known: of `known` fields, of which some are objects with fields of their own, `within`.
     #[must_use]
     pub fn unknown_field(&self, name: &str, known: &[&str], within: &[(&'static str, Vec<&'static str>)]) -> String {
+        match self.field_meant(name, known, within) {
+            Meant::InAnotherUnit(hint) => hint,
+            Meant::Within(object, meant) => format!("`{meant}` belongs in `{object}`"),
+            Meant::Near(near) => format!("did you mean `{near}`?"),
+            Meant::Nothing => format!("known are {}", known.join(", ")),
+        }
+    }
+
+    /// The same where fields are named by their JSON pointers, of which those of `known` begin with `around`.
+    pub(crate) fn unknown_pointer(
+        &self,
+        around: &str,
+        name: &str,
+        known: &[&str],
+        within: &[(&'static str, Vec<&'static str>)],
+    ) -> String {
+        match self.field_meant(name, known, within) {
+            Meant::InAnotherUnit(hint) => hint,
+            Meant::Within(object, meant) => format!("did you mean `{around}/{object}/{meant}`?"),
+            Meant::Near(near) => format!("did you mean `{around}/{near}`?"),
+            Meant::Nothing => format!("known are {}", known.join(", ")),
+        }
+    }
+
+    /// The field that was probably meant by one that is not known.
+    fn field_meant<'k>(&self, name: &str, known: &[&'k str], within: &[(&'static str, Vec<&'static str>)]) -> Meant<'k> {
         let name = shortened(name);
         if let Some(hint) = self.in_another_unit(&name, known) {
-            return hint;
+            return Meant::InAnotherUnit(hint);
         }
         let meant = self.meant(&name).unwrap_or(&name);
-        if !known.contains(&meant)
-            && let Some((object, _)) = within.iter().find(|(_, names)| names.contains(&meant))
-        {
-            return format!("`{meant}` belongs in `{object}`");
-        }
-        match self.nearest(&name, known) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("known are {}", known.join(", ")),
+        let inside = within.iter().find_map(|(object, names)| Some((*object, *names.iter().find(|name| **name == meant)?)));
+        match inside {
+            Some((object, meant)) if !known.contains(&meant) => Meant::Within(object, meant),
+            _ => self.nearest(&name, known).map_or(Meant::Nothing, Meant::Near),
         }
     }
 

@@ -107,12 +107,18 @@ impl<'w> Way<'w> {
 
     /// The path so far, as a JSON pointer.
     fn pointer(self) -> String {
-        self.path.0.iter().take(self.passed).map(|name| format!("/{}", shortened(name))).collect()
+        self.pointer_of(self.passed)
+    }
+
+    /// That of the first names.
+    fn pointer_of(self, names: usize) -> String {
+        self.path.0.iter().take(names).map(|name| format!("/{}", shortened(name))).collect()
     }
 
     /// That the name before is none of the `known` ones.
     pub(crate) fn unknown(self, name: &str, known: &[&str], within: &[(&'static str, Vec<&'static str>)]) -> Astray {
-        self.not_there(self.hints.unknown_field(name, known, within))
+        let around = self.pointer_of(self.passed.saturating_sub(1));
+        self.not_there(self.hints.unknown_pointer(&around, name, known, within))
     }
 
     /// That there is nothing of the name before.

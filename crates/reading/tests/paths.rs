@@ -36,8 +36,8 @@ fn a_path_leads_to_a_number() {
 #[test]
 fn what_is_no_number_is_told() {
     for (pointer, said) in [
-        ("/wheel/raduis_m", "the request has no field `/wheel/raduis_m`; did you mean `radius_m`?"),
-        ("/radius_m", "the request has no field `/radius_m`; `radius_m` belongs in `wheel`"),
+        ("/wheel/raduis_m", "the request has no field `/wheel/raduis_m`; did you mean `/wheel/radius_m`?"),
+        ("/radius_m", "the request has no field `/radius_m`; did you mean `/wheel/radius_m`?"),
         ("/wheel", "must name a number, not an object; its fields are radius_m"),
         ("/wheel/radius_m/x", "`/wheel/radius_m` is a number, which has no fields"),
         ("/stations/first/radius_m", "the request has no field `/stations/first`; a list has items, which are counted from 0"),

@@ -26,10 +26,7 @@ impl Correlation {
     /// # Errors
     /// A matrix that is not square, symmetric, with 1 on the diagonal, and positive definite.
     pub fn new(matrix: Vec<Vec<f64>>) -> Result<Self, CorrelationError> {
-        let count = matrix.len();
-        if matrix.iter().any(|row| row.len() != count) {
-            return Err(CorrelationError::Size { expected: count });
-        }
+        has_size(&matrix, matrix.len())?;
         for (row, coefficients) in matrix.iter().enumerate() {
             for (column, coefficient) in coefficients.iter().enumerate() {
                 if !(-1.0..=1.0).contains(coefficient) {
@@ -68,6 +65,40 @@ impl Correlation {
     }
 }
 
+/// Whether a matrix has a row and a column for each of so many inputs.
+///
+/// # Errors
+/// [`CorrelationError::Size`] where it has not.
+pub fn has_size(matrix: &[Vec<f64>], inputs: usize) -> Result<(), CorrelationError> {
+    if matrix.len() != inputs {
+        return Err(CorrelationError::Size { expected: inputs, found: matrix.len(), row: None });
+    }
+    match matrix.iter().position(|row| row.len() != inputs) {
+        Some(row) => Err(CorrelationError::Size { expected: inputs, found: matrix[row].len(), row: Some(row) }),
+        None => Ok(()),
+    }
+}
+
+/// Why a matrix is not positive definite of which that row is the first that contradicts those above it: the fewest coefficients that
+/// do.
+fn contradiction(matrix: &[Vec<f64>], row: usize) -> CorrelationError {
+    let of = &matrix[row];
+    if let Some(column) = of[..row].iter().position(|coefficient| 1.0 - coefficient * coefficient <= LEAST_PIVOT) {
+        return CorrelationError::One { row, column };
+    }
+    // Of three inputs the third coefficient is the product of the others, but for the product of what these leave open.
+    for third in 0..row {
+        for column in (0..row).filter(|column| *column != third) {
+            let (one, other) = (of[third], matrix[column][third]);
+            let (middle, width) = (one * other, ((1.0 - one * one) * (1.0 - other * other)).sqrt());
+            if (of[column] - middle).abs() >= width {
+                return CorrelationError::Contradiction { row, column, third, range: [middle - width, middle + width] };
+            }
+        }
+    }
+    CorrelationError::NotPositiveDefinite { row }
+}
+
 /// The Cholesky factor. Where two groups of inputs are not joined in the matrix they are not in the factor either.
 fn cholesky(matrix: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, CorrelationError> {
     let count = matrix.len();
@@ -81,7 +112,7 @@ fn cholesky(matrix: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, CorrelationError> {
             } else if rest > LEAST_PIVOT {
                 rest.sqrt()
             } else {
-                return Err(CorrelationError::NotPositiveDefinite { row });
+                return Err(contradiction(matrix, row));
             };
         }
     }

@@ -73,6 +73,10 @@ pub enum CorrelationError {
     Size {
         /// How many it should have.
         expected: usize,
+        /// How many rows it has, or how many coefficients that row has.
+        found: usize,
+        /// The first row of another length, where there are as many rows as inputs.
+        row: Option<usize>,
     },
     /// A coefficient that is not between −1 and 1.
     Coefficient {
@@ -93,7 +97,25 @@ pub enum CorrelationError {
         /// Column of the one and row of the other.
         column: usize,
     },
-    /// No numbers can have these coefficients: the matrix is not positive definite.
+    /// Two inputs with a coefficient of 1 or −1, which are one.
+    One {
+        /// The later of the two.
+        row: usize,
+        /// The other.
+        column: usize,
+    },
+    /// A coefficient that no numbers can have beside those of its two inputs with a third one.
+    Contradiction {
+        /// Its row.
+        row: usize,
+        /// Its column.
+        column: usize,
+        /// The third input.
+        third: usize,
+        /// The least and the largest that it may be.
+        range: [f64; 2],
+    },
+    /// No numbers can have these coefficients, though any three inputs could: the matrix is not positive definite.
     NotPositiveDefinite {
         /// The first row that contradicts those above it.
         row: usize,
@@ -153,12 +175,30 @@ impl fmt::Display for InputError {
 impl fmt::Display for CorrelationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Size { expected } => write!(f, "must have {expected} rows of {expected} coefficients, one for each input"),
+            Self::Size { expected, found, row } => {
+                write!(f, "must have {expected} rows of {expected} coefficients, one for each input")?;
+                match row {
+                    None => write!(f, "; the number of rows is {found}"),
+                    Some(row) => write!(f, "; row {row} has {found}"),
+                }
+            }
             Self::Coefficient { row, column } => write!(f, "must lie between -1 and 1, and that at [{row}][{column}] does not"),
             Self::Diagonal { row } => write!(f, "must have 1 on its diagonal, and has not at [{row}][{row}]"),
             Self::Asymmetric { row, column } => write!(f, "must be symmetric; [{row}][{column}] is not [{column}][{row}]"),
+            Self::One { row, column } => write!(
+                f,
+                "is not positive definite: [{row}][{column}] makes inputs {column} and {row} the same one; it must be above -1 and below 1"
+            ),
+            Self::Contradiction { row, column, third, range: [least, most] } => write!(
+                f,
+                "is not positive definite: beside [{row}][{third}] and [{column}][{third}], [{row}][{column}] must lie between {least:.4} \
+                 and {most:.4}"
+            ),
             Self::NotPositiveDefinite { row } => {
-                write!(f, "is not positive definite: the coefficients of row {row} contradict those above it")
+                write!(
+                    f,
+                    "is not positive definite: the coefficients of row {row} together contradict those of the rows above it"
+                )
             }
             Self::OfJoint { row } => {
                 write!(f, "must have 0 in row {row} off its diagonal: joint samples have their own correlation")

@@ -56,7 +56,7 @@ impl Inputs {
     pub fn correlated(self, correlation: Correlation) -> Result<Self, CorrelationError> {
         let count = self.sources.len();
         if correlation.len() != count {
-            return Err(CorrelationError::Size { expected: count });
+            return Err(CorrelationError::Size { expected: count, found: correlation.len(), row: None });
         }
         let of_joint = |source: &usize| matches!(self.sources[*source], Source::Joint(_)) && correlation.is_of(*source);
         if let Some(row) = (0..count).find(of_joint) {

@@ -32,7 +32,7 @@ mod sensitivity;
 mod summary;
 
 pub use bounds::Bounds;
-pub use correlation::Correlation;
+pub use correlation::{Correlation, has_size};
 pub use design::{Design, LEAST_SAMPLES, MOST_SAMPLES, MOST_SEED, SCRAMBLINGS};
 pub use distribution::Distribution;
 pub use error::{CorrelationError, DesignError, InputError};

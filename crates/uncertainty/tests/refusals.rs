@@ -46,15 +46,22 @@ fn ends_beyond_the_bounds_are_refused_and_tails_are_cut() {
 #[test]
 fn matrices_that_are_no_correlation_are_refused() {
     let of = |rows: &[&[f64]]| Correlation::new(rows.iter().map(|row| row.to_vec()).collect());
-    assert_eq!(of(&[&[1.0, 0.0], &[0.0]]), Err(CorrelationError::Size { expected: 2 }));
+    assert_eq!(of(&[&[1.0, 0.0], &[0.0]]), Err(CorrelationError::Size { expected: 2, found: 1, row: Some(1) }));
     assert_eq!(of(&[&[1.0, 1.5], &[1.5, 1.0]]), Err(CorrelationError::Coefficient { row: 0, column: 1 }));
     assert_eq!(of(&[&[1.0, f64::NAN], &[0.0, 1.0]]), Err(CorrelationError::Coefficient { row: 0, column: 1 }));
     assert_eq!(of(&[&[0.9, 0.0], &[0.0, 1.0]]), Err(CorrelationError::Diagonal { row: 0 }));
     assert_eq!(of(&[&[1.0, 0.1], &[0.2, 1.0]]), Err(CorrelationError::Asymmetric { row: 0, column: 1 }));
-    assert_eq!(of(&[&[1.0, 1.0], &[1.0, 1.0]]), Err(CorrelationError::NotPositiveDefinite { row: 1 }));
+    assert_eq!(of(&[&[1.0, 1.0], &[1.0, 1.0]]), Err(CorrelationError::One { row: 1, column: 0 }));
     // a with b and b with c, but a against c.
     let contradiction = of(&[&[1.0, 0.9, -0.9], &[0.9, 1.0, 0.9], &[-0.9, 0.9, 1.0]]);
-    assert_eq!(contradiction, Err(CorrelationError::NotPositiveDefinite { row: 2 }));
+    // By the product of both, -0.81, and what they leave open, 1 - 0.81 = 0.19.
+    let Err(CorrelationError::Contradiction { row: 2, column: 1, third: 0, range: [least, most] }) = contradiction else {
+        panic!("{contradiction:?}");
+    };
+    assert!((least + 1.0).abs() < 1e-12 && (most + 0.62).abs() < 1e-12, "{least} {most}");
+    // Four inputs that are all against one another: any three can be by -0.4, but of four -1/3 is the least.
+    let all: Vec<Vec<f64>> = (0..4).map(|row| (0..4).map(|column| if row == column { 1.0 } else { -0.4 }).collect()).collect();
+    assert_eq!(Correlation::new(all).err(), Some(CorrelationError::NotPositiveDefinite { row: 3 }));
 }
 
 #[test]
@@ -63,7 +70,7 @@ fn correlation_has_the_size_of_the_inputs_and_leaves_joint_samples_alone() {
     let unit = || free(Distribution::Uniform { low: 0.0, high: 1.0 });
     let joint = Source::Joint(Joint::new(vec![vec![1.0, 2.0]]).expect("joint samples"));
     let of = |sources: Vec<Source>| Inputs::new(sources).expect("inputs").correlated(pair()).expect_err("a refusal");
-    assert_eq!(of(vec![unit()]), CorrelationError::Size { expected: 1 });
+    assert_eq!(of(vec![unit()]), CorrelationError::Size { expected: 1, found: 2, row: None });
     assert_eq!(of(vec![unit(), joint]), CorrelationError::OfJoint { row: 1 });
 }
 

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
+use terramechanics_optimum::StopReason;
 use utoipa::openapi::schema::{AdditionalProperties, ArrayBuilder, ObjectBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
@@ -22,6 +23,16 @@ pub(super) struct FrontColumns {
     columns: Vec<(String, Values)>,
     stops: Vec<&'static str>,
 }
+
+/// Names of the columns that say whether a point is what was sought: whether it keeps all constraints, and whether its search ended
+/// by itself. 1 or 0, as a table has no other words.
+pub(super) const MARKS: [&str; 2] = ["feasible", "converged"];
+
+/// What they mean.
+const MARKED: [&str; 2] = [
+    "1 where the point keeps all constraints. All points of a curve do; where none does, the answer is the one that misses them least.",
+    "1 where the search of the point ended by itself, else 0.",
+];
 
 /// Name of the column that says why a search ended.
 const STOP: &str = "stop_reason";
@@ -47,9 +58,11 @@ impl ToSchema for Quantities {
 }
 
 impl FrontColumns {
-    pub(super) fn of(columns: Vec<(String, Vec<f64>)>, stops: impl Iterator<Item = StopReply>) -> Self {
-        let columns = columns.into_iter().map(|(name, values)| (name, Values::Numbers(values))).collect();
-        Self { columns, stops: stops.map(StopReply::name).collect() }
+    pub(super) fn of(columns: Vec<(String, Vec<f64>)>, stops: &[StopReason]) -> Self {
+        let marks = [vec![1.0; stops.len()], stops.iter().map(|stop| f64::from(u8::from(stop.is_converged()))).collect()];
+        let marks = MARKS.into_iter().map(str::to_owned).zip(marks);
+        let columns = columns.into_iter().chain(marks).map(|(name, values)| (name, Values::Numbers(values))).collect();
+        Self { columns, stops: stops.iter().map(|stop| StopReply::from(*stop).name()).collect() }
     }
 
     pub(super) fn as_table(&self) -> Vec<(Cow<'static, str>, &[f64])> {
@@ -72,7 +85,7 @@ impl PartialSchema for FrontColumns {
     fn schema() -> RefOr<Schema> {
         const DOC: &str = "Columns of one length, from the best of the first goal to the best of the second: `objective` and `against`; \
                            one for each variable, named by its field with a dot between an object and its field \
-                           (`wheel.radius_m`); those of the operation; and `stop_reason`.";
+                           (`wheel.radius_m`); those of the operation; `feasible`, `converged` and, save in a table, `stop_reason`.";
         let numbers = |meaning: &str| {
             ArrayBuilder::new().items(ObjectBuilder::new().schema_type(Type::Number)).description(Some(meaning.to_owned()))
         };
@@ -81,7 +94,10 @@ impl PartialSchema for FrontColumns {
             StopReply::Evaluations.name(),
             StopReply::Rounding.name(),
         ]));
-        object_of(DOC, &either::fields(), Field::column)
+        let object = object_of(DOC, &either::fields(), Field::column);
+        let object =
+            MARKS.into_iter().zip(MARKED).fold(object, |object, (name, of)| object.property(name, numbers(of)).required(name));
+        object
             .property("objective", numbers("The first goal."))
             .required("objective")
             .property("against", numbers("The second goal."))

@@ -6,14 +6,14 @@ use terramechanics_optimum::{
     Bound, BoundHit, Front, Infeasible, Limit, Optimum, Outcome, Refusal, Side, StopReason, Task, TaskParams, Trade, front,
     optimum,
 };
-use terramechanics_reading::{Assumption, FieldFault};
+use terramechanics_reading::Assumption;
 
 use super::request::{Constraint, Goals, Sought};
 use crate::compute::Pace;
 use crate::problem::Problem;
-use crate::quantity::About;
+use crate::quantity::{About, number};
 use crate::varied::Varied;
-use crate::warning::{Warning, of_assumptions};
+use crate::warning::{Finding, Rows, Warning, of_assumptions};
 use asked::Asked;
 
 /// What was found.
@@ -84,6 +84,15 @@ pub(super) struct FoundConstraint {
     pub(super) is_met: bool,
 }
 
+impl FoundConstraint {
+    /// Of one that is missed: what was asked, and by how much it is missed.
+    fn in_words(&self) -> String {
+        let Self { quantity, side, limit, margin, .. } = self;
+        let side = if *side == Side::AtLeast { "at least" } else { "at most" };
+        format!("`{quantity}` {side} {} by {}", number(*limit), number(-margin))
+    }
+}
+
 /// The points of a trade-off.
 #[derive(Debug)]
 pub(super) struct FoundFront {
@@ -107,7 +116,7 @@ pub(super) fn found<R: Varied>(sought: &Sought<R>, pace: &Pace) -> Result<Found,
         None => match optimum(&task, &mut function) {
             Ok(Outcome::Found(optimum)) => best(sought, &mut asked, optimum),
             Ok(Outcome::Infeasible(nearest)) => nearest_of(sought, &mut asked, nearest),
-            Ok(Outcome::NoAnswer { evaluations }) => Err(no_answer(&mut asked, evaluations)),
+            Ok(Outcome::NoAnswer { evaluations }) => Err(Problem::Invalid(asked.no_answer(evaluations))),
             Err(_) => Err(ended(pace)),
         },
         Some((against, points)) => {
@@ -115,7 +124,7 @@ pub(super) fn found<R: Varied>(sought: &Sought<R>, pace: &Pace) -> Result<Found,
             match front(&task, Trade { against, points: *points }, &mut function) {
                 Ok(Outcome::Found(front)) => curve(sought, &mut asked, front),
                 Ok(Outcome::Infeasible(nearest)) => nearest_of(sought, &mut asked, nearest),
-                Ok(Outcome::NoAnswer { evaluations }) => Err(no_answer(&mut asked, evaluations)),
+                Ok(Outcome::NoAnswer { evaluations }) => Err(Problem::Invalid(asked.no_answer(evaluations))),
                 Err(_) => Err(ended(pace)),
             }
         }
@@ -145,10 +154,9 @@ fn task<R>(sought: &Sought<R>) -> Option<Task> {
     Task::new(params).ok()
 }
 
-fn no_answer<R: Varied>(asked: &mut Asked<'_, R>, evaluations: u32) -> Problem {
-    let reason = asked.first_reason().map_or_else(String::new, |reason| format!(". The first: {reason}"));
-    let detail = format!("has no answer at any of {evaluations} points within the bounds{reason}");
-    Problem::Invalid(vec![FieldFault::new("/request", detail)])
+/// That a search did not end by itself, where it did not.
+fn unfinished(stop: StopReason) -> Option<Warning> {
+    (!stop.is_converged()).then(|| Finding::SearchUnfinished {}.into())
 }
 
 /// The best point as it is told.
@@ -176,7 +184,7 @@ fn best<R: Varied>(sought: &Sought<R>, asked: &mut Asked<'_, R>, optimum: Optimu
         agreement: Some(Agreement { search: optimum.search, searches: optimum.searches, agreed: optimum.agreed }),
         effort: Effort { evaluations: optimum.evaluations, unanswered: optimum.unanswered },
         stop: optimum.stop,
-        warnings: row.warnings,
+        warnings: unfinished(optimum.stop).into_iter().chain(row.warnings).collect(),
         assumed: row.assumed,
     })))
 }
@@ -194,16 +202,19 @@ fn nearest_of<R: Varied>(sought: &Sought<R>, asked: &mut Asked<'_, R>, nearest: 
             ..constraint_at(constraint, outputs[first + i])
         }
     };
+    let constraints: Vec<FoundConstraint> = sought.goals.constraints.iter().enumerate().map(constraint).collect();
+    let missed = constraints.iter().filter(|constraint| !constraint.is_met).map(FoundConstraint::in_words).collect();
+    let told = std::iter::once(Warning::from(Finding::Infeasible { missed })).chain(unfinished(stop));
     Ok(Found::Best(Box::new(FoundBest {
         is_feasible: false,
         objective: outputs[0],
         variables: (0..values.len()).map(|i| variable_at(sought, i, values[i], &at_bounds)).collect(),
-        constraints: sought.goals.constraints.iter().enumerate().map(constraint).collect(),
+        warnings: told.chain(row.warnings).collect(),
+        constraints,
         columns: row.columns,
         agreement: None,
         effort: Effort { evaluations, unanswered },
         stop,
-        warnings: row.warnings,
         assumed: row.assumed,
     })))
 }
@@ -236,6 +247,12 @@ fn curve<R: Varied>(sought: &Sought<R>, asked: &mut Asked<'_, R>, front: Front) 
     rows.retain(|(about, _)| columns.iter().all(|(name, _)| name != about.name));
     columns.extend(rows.into_iter().map(|(about, values)| (about.name.to_owned(), values)));
     warnings.extend(of_assumptions(assumed.as_deref().unwrap_or_default()));
+    let unfinished = points.iter().enumerate().filter(|(_, point)| !point.stop.is_converged());
+    let mut rows = Rows::none();
+    unfinished.for_each(|(row, _)| rows.push(row as u64));
+    if rows.count() > 0 {
+        warnings.insert(0, Warning::from(Finding::SearchUnfinished {}).at(rows));
+    }
     Ok(Found::Front(FoundFront {
         columns,
         stops: points.iter().map(|point| point.stop).collect(),

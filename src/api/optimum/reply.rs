@@ -6,7 +6,7 @@ use serde::Serialize;
 use terramechanics_optimum::{Bound, Side};
 use utoipa::ToSchema;
 
-use super::columns::{FrontColumns, Quantities};
+use super::columns::{FrontColumns, MARKS, Quantities};
 use super::found::{Agreement, Effort, Found, FoundBest, FoundConstraint, FoundFront, FoundVariable};
 use super::stop::StopReply;
 use crate::reply::{AssumedReply, Reply};
@@ -25,17 +25,20 @@ pub(crate) enum OptimumReply {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = BestPoint)]
 pub(crate) struct BestReply {
-    /// Whether the point keeps all constraints. If not, `met` tells which of them it misses.
+    /// Whether the point keeps all constraints. If not, `met` tells which of them it misses, and the warning `infeasible` by how much. In a table, 1 or 0.
     feasible: bool,
     /// What was to become small or large.
     objective: f64,
     /// In the order of the request.
     variables: Vec<VariableReply>,
-    /// In the order of the request; one with two limits stands here twice.
+    /// In the order of the request; one with two limits stands here twice. Of a rover that must climb, the last one says so.
     constraints: Vec<ConstraintReply>,
     quantities: Quantities,
     /// Whether the best search ended by itself. That does not prove that no better point exists: `agreed` of several searches tells more.
     converged: bool,
+    /// `feasible` and `converged` as the cells of a table.
+    #[serde(skip)]
+    marks: [f64; 2],
     /// Why it ended.
     stop_reason: StopReply,
     /// How many searches were made; null where no point keeps the constraints, like the two that follow.
@@ -123,6 +126,8 @@ struct ConstraintReply {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = TradeOff)]
 pub(crate) struct FrontReply {
+    /// True: every point keeps all constraints. Where none does, the answer is the one point that misses them least.
+    feasible: bool,
     columns: FrontColumns,
     /// Points that were left out because another is as good in both goals.
     dominated: usize,
@@ -195,6 +200,7 @@ impl From<FoundBest> for BestReply {
             constraints: found.constraints.into_iter().map(ConstraintReply::from).collect(),
             quantities: Quantities(found.columns),
             converged: found.stop.is_converged(),
+            marks: [found.is_feasible, found.stop.is_converged()].map(|mark| f64::from(u8::from(mark))),
             stop_reason: found.stop.into(),
             evaluations,
             without_answer: unanswered,
@@ -208,8 +214,9 @@ impl From<FoundFront> for FrontReply {
     fn from(found: FoundFront) -> Self {
         let Effort { evaluations, unanswered } = found.effort;
         Self {
+            feasible: true,
             converged: found.stops.iter().all(|stop| stop.is_converged()),
-            columns: FrontColumns::of(found.columns, found.stops.into_iter().map(StopReply::from)),
+            columns: FrontColumns::of(found.columns, &found.stops),
             dominated: found.dominated,
             evaluations,
             without_answer: unanswered,
@@ -220,7 +227,7 @@ impl From<FoundFront> for FrontReply {
 }
 
 impl Reply for OptimumReply {
-    /// Of the best point one row: the objective, the variables and the quantities.
+    /// Of the best point one row: the objective, the variables, the quantities, and whether the point is what was sought.
     fn columns(&self) -> Vec<(Cow<'static, str>, &[f64])> {
         match self {
             Self::Front(front) => front.columns.as_table(),
@@ -234,6 +241,7 @@ impl Reply for OptimumReply {
                         table.push((about.name.into(), std::slice::from_ref(value)));
                     }
                 }
+                table.extend(MARKS.into_iter().map(Into::into).zip(best.marks.chunks(1)));
                 table
             }
         }

@@ -89,7 +89,7 @@ impl PartialSchema for GridColumns {
         let statuses = RowStatus::ALL.map(RowStatus::name);
         let status = ObjectBuilder::new().schema_type(Type::String).enum_values(Some(statuses));
         let status = ArrayBuilder::new().items(status).description(Some(
-            "ok; invalid, where the values of the row make no request; no_solution, where the model has no answer; not_climbed, where a rover does not climb. Warnings say why.",
+            "ok; invalid, where the values of the row make no request; no_solution, where the model has no answer; not_climbed, where no slip gives the pull that a rover needs; one that climbs only beyond its slip limit is ok, and `climbs` tells it. Warnings say why, counted by cause.",
         ));
         let axis =
             ArrayBuilder::new().items(ObjectBuilder::new().schema_type(Type::Number)).description(Some("The values of an axis."));

@@ -48,7 +48,7 @@ static STATUS: [About; RowStatus::ALL.len()] = [
     About::new(RowStatus::Ok.name(), "", "1", "samples with an answer"),
     About::new(RowStatus::Invalid.name(), "", "1", "samples whose values make no valid request"),
     About::new(RowStatus::NoSolution.name(), "", "1", "samples of which the model has no answer"),
-    About::new(RowStatus::NotClimbed.name(), "", "1", "samples with which a rover does not climb"),
+    About::new(RowStatus::NotClimbed.name(), "", "1", "samples of a rover for which no slip gives the pull"),
 ];
 
 /// Declares a shape of columns.

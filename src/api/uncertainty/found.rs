@@ -81,7 +81,10 @@ pub(super) fn bands<R: Varied>(case: &Uncertainty<R>, pace: &Pace) -> Result<Fou
     let mut warnings: Vec<Warning> = truncated(case).collect();
     warnings.extend(unanswered(&points, case.design.samples()));
     warnings.extend(tally.into_warnings());
-    let assumed = template.assumed().map(<[Assumption]>::to_vec);
+    let mut assumed = template.assumed().map(<[Assumption]>::to_vec);
+    if !case.assumed.is_empty() {
+        assumed.get_or_insert_default().extend(case.assumed.iter().cloned());
+    }
     warnings.extend(of_assumptions(assumed.as_deref().unwrap_or_default()));
     Ok(FoundBands { columns, banded, sensitive, points, warnings, assumed })
 }

@@ -88,6 +88,18 @@ impl Expression {
         Ok(Self { steps, names })
     }
 
+    /// What a word means in every formula, such as `a constant` for `pi`: no value can have it as its name.
+    ///
+    /// ```
+    /// # use terramechanics_optimum::Expression;
+    /// assert_eq!(Expression::own_meaning("sqrt"), Some("a function"));
+    /// assert_eq!(Expression::own_meaning("radius_m"), None);
+    /// ```
+    #[must_use]
+    pub fn own_meaning(word: &str) -> Option<&'static str> {
+        parser::own_meaning(word)
+    }
+
     /// The names of its values, each once, as they appear.
     #[must_use]
     pub fn names(&self) -> &[String] {

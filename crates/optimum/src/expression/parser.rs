@@ -27,6 +27,19 @@ fn most(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
+/// The circle constant by its name.
+const PI: &str = "pi";
+
+/// What a word means by itself: no value can have it as its name.
+pub(super) fn own_meaning(word: &str) -> Option<&'static str> {
+    let is_function = OF_ONE.iter().any(|(name, _)| *name == word) || OF_TWO.iter().any(|(name, _)| *name == word);
+    match word {
+        PI => Some("a constant"),
+        _ if is_function => Some("a function"),
+        _ => None,
+    }
+}
+
 /// All functions, in words.
 pub(super) fn functions() -> String {
     let names = OF_ONE.iter().map(|(name, _)| *name).chain(OF_TWO.iter().map(|(name, _)| *name));
@@ -127,7 +140,7 @@ impl<'f> Parser<'f> {
                     self.skip();
                     return self.function(name);
                 }
-                if name == "pi" {
+                if name == PI {
                     self.steps.push(Step::Number(std::f64::consts::PI));
                     return Ok(());
                 }

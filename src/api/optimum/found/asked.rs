@@ -1,9 +1,9 @@
 //! The operation as a function of the variables.
 
 use terramechanics_optimum::Refusal;
-use terramechanics_reading::Assumption;
+use terramechanics_reading::{Assumption, FieldFault};
 
-use crate::api::optimum::request::{Goal, Goals, Sought};
+use crate::api::optimum::request::Sought;
 use crate::quantity::About;
 use crate::varied::{RowStatus, Template, Varied, tell_invalid};
 use crate::warning::{Tally, Warning, of_assumptions};
@@ -13,6 +13,12 @@ pub(super) struct Asked<'s, R> {
     sought: &'s Sought<R>,
     template: Template<R>,
     cells: Vec<f64>,
+    /// The constraint that the rover climbs, by its place among the outputs, and the column that says whether it does.
+    climb: Option<[usize; 2]>,
+    /// Points that had an answer, those of them with a rover for which no slip gives the pull, and at how many each formula had a value.
+    answered: u32,
+    stuck: u32,
+    finite: Vec<u32>,
     /// What is to be said of all points that were tried; only where none has an answer it is told.
     tally: Tally,
 }
@@ -29,22 +35,34 @@ type FullRows = (Vec<(&'static About, Vec<f64>)>, Vec<Warning>, Option<Vec<Assum
 
 impl<'s, R: Varied> Asked<'s, R> {
     pub(super) fn of(sought: &'s Sought<R>) -> Self {
-        Self { sought, template: sought.template.clone(), cells: Vec::new(), tally: Tally::default() }
+        let (goals, columns) = (&sought.goals, sought.sample.columns());
+        let climbs = columns.iter().position(|about| about.name == CLIMBS);
+        let first = 1 + usize::from(goals.against.is_some());
+        let climb = goals.climb().zip(climbs).map(|(constraint, column)| [first + constraint, column]);
+        let finite = vec![0; first + goals.constraints.len()];
+        let template = sought.template.clone();
+        Self { sought, template, cells: Vec::new(), climb, answered: 0, stuck: 0, finite, tally: Tally::default() }
     }
 
     /// The goals and the constrained quantities.
     ///
     /// # Errors
-    /// That there is no answer, or that one of the quantities has no value.
+    /// That there is no answer. One of the quantities may have no value.
     pub(super) fn outputs(&mut self, values: &[f64]) -> Result<Vec<f64>, Refusal> {
         let status = Self::ask(&mut self.template, values, &mut self.cells, &mut self.tally);
         if !has_numbers(status) {
             return Err(Refusal::NoAnswer);
         }
-        let Goals { goal, constraints, against } = &self.sought.goals;
-        let against = against.iter().map(|(Goal { formula, .. }, _)| formula);
-        let formulas = std::iter::once(&goal.formula).chain(against).chain(constraints.iter().map(|of| &of.quantity));
-        Ok(formulas.map(|formula| formula.value(values, &self.cells)).collect())
+        let formulas = self.sought.goals.formulas();
+        let outputs: Vec<f64> = formulas.map(|formula| formula.value(values, &self.cells)).collect();
+        self.answered += 1;
+        self.stuck += u32::from(status == RowStatus::NotClimbed);
+        self.finite.iter_mut().zip(&outputs).for_each(|(finite, output)| *finite += u32::from(output.is_finite()));
+        match self.climb {
+            // A slope below the largest one may be a descent on which nothing holds the rover.
+            Some([spare, climbs]) if outputs[spare] >= 0.0 && self.cells.get(climbs) != Some(&1.0) => Err(Refusal::NoAnswer),
+            _ => Ok(outputs),
+        }
     }
 
     /// Asks with these values: the cells of the row, and how it went.
@@ -78,11 +96,42 @@ impl<'s, R: Varied> Asked<'s, R> {
         (columns, tally.into_warnings(), self.template.assumed().map(<[Assumption]>::to_vec))
     }
 
-    /// Why a point had no answer.
-    pub(super) fn first_reason(&mut self) -> Option<String> {
-        std::mem::take(&mut self.tally).into_warnings().first().map(Warning::detail)
+    /// Why none of so many points could be used: the request has no answer anywhere, or a formula has no value where it has one.
+    pub(super) fn no_answer(&mut self, evaluations: u32) -> Vec<FieldFault> {
+        let answered = self.answered;
+        if answered == 0 {
+            let reason = std::mem::take(&mut self.tally).into_warnings().first().map(Warning::detail);
+            let reason = reason.map_or_else(String::new, |reason| format!(". The first: {reason}"));
+            let detail = format!("has no answer at any of {evaluations} points within the bounds{reason}");
+            return vec![FieldFault::new("/request", detail)];
+        }
+        let why = if self.stuck == answered { ", because the rover climbs its slope at none of them" } else { "" };
+        let goals = &self.sought.goals;
+        let told = || goals.formulas().zip(goals.pointers()).zip(&self.finite);
+        let never = told().filter(|(_, finite)| **finite == 0).map(|((formula, pointer), _)| {
+            let of = formula.text.as_str();
+            let detail =
+                format!("`{of}` has no finite value at any of the {answered} points within the bounds that have an answer{why}");
+            FieldFault::new(pointer, detail)
+        });
+        let never: Vec<FieldFault> = never.collect();
+        if !never.is_empty() {
+            return never;
+        }
+        let rarest = told().min_by_key(|(_, finite)| **finite);
+        let fault = rarest.map(|((formula, pointer), finite)| {
+            let of = formula.text.as_str();
+            let detail = format!(
+                "`{of}` has a finite value at {finite} of {answered} points within the bounds, but the other quantities have none there"
+            );
+            FieldFault::new(pointer, detail)
+        });
+        fault.into_iter().collect()
     }
 }
+
+/// The column that says whether a rover climbs.
+const CLIMBS: &str = "climbs";
 
 /// Whether a row has numbers: a rover that does not climb its slope still has its largest slope.
 fn has_numbers(status: RowStatus) -> bool {

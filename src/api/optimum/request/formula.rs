@@ -1,7 +1,9 @@
 //! A quantity: the name of one, or a formula of several.
 
 use terramechanics_optimum::{Expression, MOST_CHARACTERS};
-use terramechanics_reading::{Scope, Text, unknown_word};
+use terramechanics_reading::{Scope, Text, shortened};
+
+use crate::words::HINTS;
 
 /// A formula as it is sent.
 pub(super) const TEXT: Text = Text { longest: MOST_CHARACTERS };
@@ -29,10 +31,18 @@ pub(super) struct Names<'a> {
     pub(super) columns: Vec<&'static str>,
 }
 
+impl<'a> Names<'a> {
+    /// All of them. A variable may be a quantity of the answer as well, such as the slip.
+    fn each_once(&self) -> Vec<&'a str> {
+        let columns = self.columns.iter().copied().filter(|column| !self.variables.contains(column));
+        self.variables.iter().copied().chain(columns).collect()
+    }
+}
+
 /// A formula whose names are not looked up yet.
 #[derive(Debug, Clone)]
 pub(super) struct Unresolved {
-    text: String,
+    pub(super) text: String,
     expression: Expression,
 }
 
@@ -48,6 +58,11 @@ pub(super) fn read(text: &str, place: &Scope<'_>) -> Option<Unresolved> {
 }
 
 impl Unresolved {
+    /// A formula that is known to be sound.
+    pub(super) fn of(text: &str) -> Option<Self> {
+        Some(Self { text: text.to_owned(), expression: Expression::new(text).ok()? })
+    }
+
     /// The formula with its names looked up; one that is not known is reported.
     pub(super) fn resolved(self, names: &Names<'_>, place: &Scope<'_>) -> Option<Formula> {
         let Self { text, expression } = self;
@@ -55,8 +70,14 @@ impl Unresolved {
             let variable = names.variables.iter().position(|known| known == name).map(Source::Variable);
             let found = variable.or_else(|| names.columns.iter().position(|known| known == name).map(Source::Column));
             if found.is_none() {
-                let known: Vec<&str> = names.variables.iter().copied().chain(names.columns.iter().copied()).collect();
-                unknown_word(place, name, &known);
+                let (known, name) = (names.each_once(), shortened(name));
+                match HINTS.nearest(&name, &known) {
+                    Some(near) => place.fault(format_args!("unknown name `{name}`; did you mean `{near}`?")),
+                    None => place.fault(format_args!(
+                        "unknown name `{name}`; known are {}. A field that does not vary stands as its number",
+                        known.join(", ")
+                    )),
+                }
             }
             found
         };

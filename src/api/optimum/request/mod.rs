@@ -4,11 +4,11 @@ mod formula;
 mod goals;
 mod variables;
 
-pub(crate) use goals::{Constraint, Goal, Goals};
+pub(crate) use goals::{Constraint, Goals};
 pub(crate) use variables::Varying;
 
 use terramechanics_optimum::{MOST_STARTS, Task};
-use terramechanics_reading::{Field, Nested, Number, Object, Path, Reader, Word};
+use terramechanics_reading::{Field, Flag, Nested, Number, Object, Path, Reader, Word};
 
 use crate::api::either::{self, Of};
 use crate::api::forces::ForcesCase;
@@ -46,6 +46,12 @@ const EVALUATIONS: Field<Number> = Field::new(
     Number::new("1", Task::LEAST_EVALUATIONS as f64, MOST_EVALUATIONS as f64).whole().or(3000.0),
 );
 
+const MUST_CLIMB: Field<Flag> = Field::new(
+    "must_climb",
+    "vehicle: whether the rover has to climb its slope at a slip up to its limit. That is a constraint like the others, the last of the answer: `largest_slope_rad - slope_rad` at least 0. false: a rover that does not climb is as good as any other. true unless given.",
+    Flag,
+);
+
 /// A search, checked.
 pub(crate) enum OptimumCase {
     Forces(Box<Sought<ForcesCase>>),
@@ -70,13 +76,22 @@ impl Request for OptimumCase {
     const OBJECT: &'static Object = &Object {
         name: "OptimumRequest",
         doc: "A request of which one to six numeric fields are sought, so that a quantity becomes as small or as large as limits allow.",
-        groups: &[&[&OF, &REQUEST], variables::FIELDS, goals::FIELDS, &[&STARTS, &SEED, &EVALUATIONS]],
+        groups: &[&[&OF, &REQUEST], variables::FIELDS, goals::FIELDS, &[&MUST_CLIMB, &STARTS, &SEED, &EVALUATIONS]],
     };
 
     fn read(object: &Reader<'_>) -> Option<Self> {
         match object.required(&OF) {
-            Some(Of::Forces) => sought(object).map(Box::new).map(Self::Forces),
-            Some(Of::Vehicle) => sought(object).map(Box::new).map(Self::Vehicle),
+            Some(Of::Forces) => {
+                if object.has(&MUST_CLIMB) {
+                    object.place_of(&MUST_CLIMB).fault("is for a rover alone, with `of` vehicle");
+                }
+                sought(object, false).map(Box::new).map(Self::Forces)
+            }
+            Some(Of::Vehicle) => {
+                let must_climb = object.optional(&MUST_CLIMB).map(|given| given.unwrap_or(true));
+                let found = sought(object, must_climb.unwrap_or(true));
+                must_climb.and(found).map(Box::new).map(Self::Vehicle)
+            }
             None => {
                 let _ = object.required(&REQUEST);
                 None
@@ -86,10 +101,10 @@ impl Request for OptimumCase {
 }
 
 /// The search for one kind of request.
-fn sought<R: Varied>(object: &Reader<'_>) -> Option<Sought<R>> {
+fn sought<R: Varied>(object: &Reader<'_>, must_climb: bool) -> Option<Sought<R>> {
     let request = object.required(&REQUEST);
     let variables = variables::read(object, R::OBJECT);
-    let goals = goals::read(object);
+    let goals = goals::read(object, must_climb);
     let (starts, seed) = (object.or_default(&STARTS), object.or_default(&SEED));
     let evaluations = object.or_default(&EVALUATIONS);
     let variables = variables?;
@@ -121,6 +136,9 @@ fn sought<R: Varied>(object: &Reader<'_>) -> Option<Sought<R>> {
         variables: variables.iter().map(|variable| variable.name.as_str()).collect(),
         columns: sample.columns().iter().map(|about| about.name).collect(),
     };
+    if !variables::mean_nothing_else(object, &variables, &names.columns) {
+        return None;
+    }
     let goals = goals?.resolved(&names, object)?;
     let (starts, seed, evaluations) = (starts? as u32, seed? as u64, evaluations? as u32);
     Some(Sought { template, sample, variables, goals, starts, seed, evaluations })

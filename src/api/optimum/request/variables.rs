@@ -1,6 +1,6 @@
 //! The variables: which fields vary, and between which bounds.
 
-use terramechanics_optimum::{MOST_VARIABLES, Spacing, Variable};
+use terramechanics_optimum::{Expression, MOST_VARIABLES, Spacing, Variable};
 use terramechanics_reading::{Field, Label, Number, Object, Objects, Path, Reader, Word};
 
 use crate::varied::varied_field;
@@ -12,7 +12,7 @@ const FIELD: Field<Label> = Field::required(
 );
 const NAME: Field<Label> = Field::new(
     "name",
-    "Its name in formulas: letters, digits and underscores. The last name of the pointer unless given.",
+    "Its name in formulas: letters, digits and underscores, and none that formulas or the answer have already, such as pi or torque_n_m. The last name of the pointer unless given.",
     Label,
 );
 const FROM: Field<Number> = Field::required("from", "Lower bound, in the unit of the field.", Number::any(""));
@@ -93,6 +93,24 @@ fn one(variable: &Reader<'_>, request: &'static Object) -> Option<Varying> {
     }
     let name = name.or_else(|| path.names().last().cloned())?;
     Some(Varying { path, name, range: Variable { from, to, start, spacing } })
+}
+
+/// Whether the names of the variables mean nothing else in a formula; a name that does is reported. A variable that is itself the
+/// quantity of that name, such as the slip, may have it.
+pub(super) fn mean_nothing_else(object: &Reader<'_>, variables: &[Varying], columns: &[&'static str]) -> bool {
+    let mut is_sound = true;
+    for (i, Varying { path, name, .. }) in variables.iter().enumerate() {
+        let is_quantity = columns.contains(&name.as_str()) && path.dotted() != *name;
+        let quantity = is_quantity.then_some("a quantity of the answer");
+        if let Some(meaning) =
+            Expression::own_meaning(name).map(|own| format!("{own} of formulas")).or(quantity.map(str::to_owned))
+        {
+            let detail = format!("`{name}` is {meaning}; give the variable another `{}`", NAME.name);
+            object.place_of(&VARIABLES).item(i).field(NAME.name).fault(detail);
+            is_sound = false;
+        }
+    }
+    is_sound
 }
 
 fn is_name(name: &str) -> bool {

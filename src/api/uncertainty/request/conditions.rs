@@ -7,7 +7,8 @@ use crate::quantity::About;
 /// Most conditions.
 const MOST: usize = 16;
 
-const QUANTITY: Field<Label> = Field::required("quantity", "A quantity of the answer, such as longitudinal_force_n.", Label);
+const QUANTITY: Field<Label> =
+    Field::required("quantity", "A quantity of the answer by its name, such as longitudinal_force_n; no formula.", Label);
 const BELOW: Field<Number> = Field::new("below", "The condition holds below this value.", Number::any(""));
 const ABOVE: Field<Number> = Field::new("above", "It holds above this value.", Number::any(""));
 
@@ -66,7 +67,9 @@ pub(super) fn read(object: &Reader<'_>, columns: Option<&[&'static About]>) -> O
 /// The place of the column of that name; that there is none is reported.
 pub(super) fn column(name: &str, columns: &[&'static About], place: &Scope<'_>) -> Option<usize> {
     let found = columns.iter().position(|about| about.name == name);
-    if found.is_none() {
+    if name.contains(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
+        place.fault("must be the name of one quantity of the answer; formulas are not taken here");
+    } else if found.is_none() {
         let names: Vec<&str> = columns.iter().map(|about| about.name).collect();
         unknown_word(place, name, &names);
     }

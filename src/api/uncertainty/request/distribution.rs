@@ -3,6 +3,8 @@
 use terramechanics_reading::{Field, Number, Numbers, Reader, Word};
 use terramechanics_uncertainty::{Distribution, InputError, MOST_VALUES};
 
+use crate::warning::listed;
+
 /// The form of a distribution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
@@ -30,7 +32,7 @@ const MEAN: Field<Number> = Field::new("mean", "Mean, before what is outside the
 const DEVIATION: Field<Number> = Field::new("standard_deviation", "Standard deviation, before that.", Number::any(""));
 const RELATIVE: Field<Number> = Field::new(
     "relative",
-    "In place of the other parameters: the standard deviation, or half the width, over the value that the request has for the field, itself or by its preset. That value is the mean, the middle or the mode.",
+    "In place of the other parameters, a share of the value that the request has for the field: its own, that of its preset, or with `assume` the substitute of one that was never published. That value is the mean, the middle of a uniform or the mode of a triangular distribution; the share of it is the standard deviation of a normal or lognormal, and half the width of a uniform or triangular one.",
     Number::new("1", 0.0, 10.0),
 );
 const LOW: Field<Number> = Field::new("low", "Lower end.", Number::any(""));
@@ -71,11 +73,14 @@ impl Form {
     fn in_words(self) -> String {
         match self.takes() {
             [] => "`values`".to_owned(),
-            names => {
-                let names: Vec<String> = names.iter().map(|field| format!("`{}`", field.name)).collect();
-                format!("{}, or `{}` alone", names.join(", "), RELATIVE.name)
-            }
+            _ => format!("{}, or `{}` alone", self.parameters(), RELATIVE.name),
         }
+    }
+
+    /// Its parameters that are numbers, in words.
+    fn parameters(self) -> String {
+        let names: Vec<String> = self.takes().iter().map(|field| format!("`{}`", field.name)).collect();
+        listed(&names)
     }
 }
 
@@ -159,12 +164,16 @@ const MOST_FAULTS: usize = 10;
 fn of_relative(input: &Reader<'_>, form: Form, relative: f64, nominal: Option<f64>) -> Option<Distribution> {
     let place = input.place_of(&RELATIVE);
     let Some(nominal) = nominal else {
-        place.fault(format_args!("the request has no value for this field; give {}", form.in_words()));
+        place.fault(format_args!(
+            "needs a value of the field to be relative to, and the request has none, itself or by a preset; give {}",
+            form.parameters()
+        ));
         return None;
     };
     let width = relative * nominal.abs();
     if width == 0.0 {
-        place.fault(format_args!("makes no width of the value {nominal}; give {}", form.in_words()));
+        let reason = if nominal == 0.0 { ", because the request has 0 for the field" } else { "" };
+        place.fault(format_args!("makes no width{reason}; give {}", form.parameters()));
         return None;
     }
     let (low, high) = (nominal - width, nominal + width);
@@ -174,6 +183,11 @@ fn of_relative(input: &Reader<'_>, form: Form, relative: f64, nominal: Option<f6
         Form::Triangular => Distribution::Triangular { low, mode: nominal, high },
         Form::Uniform | Form::Quantiles | Form::Samples => Distribution::Uniform { low, high },
     })
+}
+
+/// Whether the distribution of an input lies about the value of the request.
+pub(super) fn is_relative(input: &Reader<'_>) -> bool {
+    input.has(&RELATIVE)
 }
 
 /// Reports what the distribution lacks, at the parameter that is to blame.

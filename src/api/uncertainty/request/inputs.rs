@@ -1,12 +1,14 @@
 //! The uncertain fields of a request, and what makes them uncertain.
 
-use terramechanics_reading::{Field, Label, Node, Object, Objects, Path, Reader};
+use terramechanics_reading::{Assumption, Field, Label, Node, Object, Objects, Path, Reader};
 use terramechanics_uncertainty::{
     Bounds, Correlation, CorrelationError, Distribution, InputError, Inputs, Joint, MOST_COLUMNS, MOST_SOURCES, Marginal, Source,
+    has_size,
 };
 
 use super::distribution::{self, FORM, Given, PARAMETERS};
 use super::matrix::Matrix;
+use super::nominal::nominal;
 use super::posterior::{self, POSTERIOR};
 use crate::catalogue::{self, Spread};
 use crate::varied::varied_field;
@@ -66,6 +68,8 @@ pub(super) struct Uncertain {
     sources: Vec<Source>,
     /// Of the fields of the posterior, in their order.
     posterior: Vec<Vec<f64>>,
+    /// Values that were assumed, because a distribution is relative to them.
+    pub(super) assumed: Vec<Assumption>,
 }
 
 /// One input that was read.
@@ -73,6 +77,8 @@ struct Read {
     path: Path,
     given: Given,
     bounds: Bounds,
+    /// What was assumed for it.
+    assumed: Option<Assumption>,
 }
 
 impl Uncertain {
@@ -95,7 +101,8 @@ impl Uncertain {
         let Some(items) = object.optional(&INPUTS)? else { return Some(()) };
         let mut joint = Vec::new();
         let read = items.each(|input, i| {
-            let Read { path, given, bounds } = read_one(input, request, tree)?;
+            let Read { path, given, bounds, assumed } = read_one(input, request, tree)?;
+            self.assumed.extend(assumed);
             match given {
                 Given::One(distribution) => {
                     let marginal =
@@ -207,9 +214,7 @@ impl Uncertain {
             Origin::Posterior(_) | Origin::Catalogue { .. } => None,
         };
         let count = self.fields.iter().filter_map(sent).count();
-        if matrix.len() != count || matrix.iter().any(|row| row.len() != count) {
-            return Err(CorrelationError::Size { expected: count });
-        }
+        has_size(matrix, count)?;
         Correlation::new(matrix.to_vec())?;
         let is_joint = |source: usize| matches!(self.sources[source], Source::Joint(_));
         let mut found = self.uncorrelated();
@@ -244,32 +249,10 @@ fn read_one(input: &Reader<'_>, request: &'static Object, tree: Option<&Node<'_>
         return None;
     }
     let nominal = field.as_ref().zip(tree).and_then(|((path, _), tree)| nominal(tree, path));
-    let given = distribution::read(input, number, nominal);
+    let value = nominal.as_ref().map(|(value, _)| *value);
+    let given = distribution::read(input, number, value);
     let (path, number) = field?;
     let [lower, upper] = number.range();
-    Some(Read { path, given: given?, bounds: Bounds { lower, upper } })
-}
-
-/// The value that a request has for a field, by itself or by the preset of the object around it.
-fn nominal(tree: &Node<'_>, path: &Path) -> Option<f64> {
-    let names = path.names();
-    match tree.under(names) {
-        Some(Node::Number(value)) => return Some(*value),
-        Some(Node::Null) | None => {}
-        Some(_) => return None,
-    }
-    let name = names.last()?;
-    let (at, preset) = (1..names.len()).rev().find_map(|at| {
-        let around = tree.under(&names[..at])?;
-        Some((at, around.under(&["preset".to_owned()])?.text()?))
-    })?;
-    // Of a law that was sent the preset has nothing.
-    if names[at..names.len() - 1].iter().enumerate().any(|(i, _)| tree.under(&names[..=at + i]).is_some()) {
-        return None;
-    }
-    match names[at - 1].as_str() {
-        "soil" => catalogue::soil(preset)?.number(name),
-        "wheel" => catalogue::wheel(preset)?.number(name),
-        _ => None,
-    }
+    let assumed = nominal.and_then(|(_, assumed)| assumed).filter(|_| distribution::is_relative(input));
+    Some(Read { path, given: given?, bounds: Bounds { lower, upper }, assumed })
 }

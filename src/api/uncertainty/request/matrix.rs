@@ -34,9 +34,14 @@ impl Kind for Matrix {
                     return None;
                 }
             };
-            let is_sound = row.others().is_empty() && row.numbers().iter().all(|number| COEFFICIENT.allows(*number));
-            if !is_sound || row.len() > self.most {
+            if !row.others().is_empty() || row.len() > self.most {
                 place.fault(format_args!("must have at most {} numbers {COEFFICIENT}", self.most));
+                return None;
+            }
+            if let Some((column, coefficient)) =
+                row.numbers().iter().enumerate().find(|(_, number)| !COEFFICIENT.allows(**number))
+            {
+                place.fault(format_args!("must have numbers {COEFFICIENT}; the one at {column} is {coefficient}"));
                 return None;
             }
             Some(row.numbers().to_vec())

@@ -5,9 +5,10 @@ mod conditions;
 mod distribution;
 mod inputs;
 mod matrix;
+mod nominal;
 mod posterior;
 
-use terramechanics_reading::{Field, Flag, Label, Number, Object, Path, Reader, Word};
+use terramechanics_reading::{Assumption, Field, Flag, Label, Number, Object, Path, Reader, Word};
 use terramechanics_uncertainty::{Design, LEAST_SAMPLES, MOST_SEED};
 
 use crate::api::either::{self, Of};
@@ -71,6 +72,8 @@ pub(crate) struct Uncertainty<R> {
     pub(super) design: Design,
     pub(super) seed: u32,
     pub(super) fields: Vec<UncertainField>,
+    /// Values that were assumed for distributions that are relative to them.
+    pub(super) assumed: Vec<Assumption>,
     /// What of a soil does not spread.
     pub(super) held: Vec<Held>,
     pub(super) axis: Option<Axis>,
@@ -167,6 +170,7 @@ fn uncertainty<R: Varied>(object: &Reader<'_>) -> Option<Uncertainty<R>> {
         design,
         seed,
         fields: uncertain.fields,
+        assumed: uncertain.assumed,
         held,
         axis,
         conditions: conditions?,

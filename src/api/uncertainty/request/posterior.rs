@@ -4,7 +4,7 @@ use terramechanics_identification::{Home, Unknown};
 use terramechanics_reading::{
     Field, Flag, Kind, Label, Node, Number, Numbers, Object, Objects, Path, Reader, Scope, Text, unknown_word,
 };
-use terramechanics_uncertainty::{Bounds, Correlation, CorrelationError, Distribution, Marginal};
+use terramechanics_uncertainty::{Bounds, Correlation, Distribution, Marginal, has_size};
 use utoipa::openapi::schema::{AdditionalProperties, ObjectBuilder, Type};
 use utoipa::openapi::{RefOr, Schema};
 
@@ -93,10 +93,7 @@ pub(super) fn read(object: &Reader<'_>, request: &'static Object) -> Option<Opti
     let (parameters, matrix) = (parameters?, matrix?);
     let place = posterior.place_of(&CORRELATION);
     let correlation = symmetric(matrix);
-    if correlation.len() != parameters.len() {
-        place.fault(CorrelationError::Size { expected: parameters.len() });
-        return None;
-    }
+    has_size(&correlation, parameters.len()).map_err(|error| place.fault(error)).ok()?;
     Correlation::new(correlation.clone()).map_err(|error| place.fault(error)).ok()?;
     Some(Some(Posterior { parameters, correlation }))
 }
