@@ -174,7 +174,7 @@ impl Wanted {
                     .find(|known| known.strip_prefix(name).is_some_and(|rest| rest.starts_with('.')))
                 {
                     Some(within) => format!("is an object; a column is one of its fields, such as `{within}`"),
-                    None => unknown(name, known),
+                    None => format!("{}; {}", unknown(name, known), self.way_out(name)),
                 },
             ),
         }
@@ -183,6 +183,14 @@ impl Wanted {
     /// The name under which a column is repeated: its own, unless the answer may have a column of that name.
     fn echoed(&self, name: &str) -> String {
         if self.answered.contains(&name) { format!("echo.{name}") } else { name.to_owned() }
+    }
+
+    /// What to ask for where a column is to be no field.
+    fn way_out(&self, name: &str) -> String {
+        match &self.echo {
+            Echo::All => "with extra_columns=ignore it is repeated and not read".to_owned(),
+            Echo::Names(_) => format!("{LEAVING_OUT}, and echo={} repeats it", shortened(name)),
+        }
     }
 
     /// Whether a column that is no field is no mistake.
@@ -230,7 +238,7 @@ fn unknown(name: &str, known: &[Known]) -> String {
         None => format!("; {hint}"),
     };
     let name = shortened(name);
-    format!("unknown column `{name}`{meant}; {LEAVING_OUT}, and echo={name} repeats it")
+    format!("unknown column `{name}`{meant}")
 }
 
 /// Whether something stands under a path.

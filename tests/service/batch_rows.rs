@@ -93,6 +93,8 @@ fn a_column_with_the_name_of_one_of_the_answer_is_repeated_under_another() {
     assert_eq!((&*rows[1]["id"], &*rows[1]["echo.slip"], &*rows[1]["slip"]), ("b", "9", ""));
     let named = batch(&format!("{COMMON}&echo=status"), CSV, "slip,status\n0.1,new\n").text;
     assert!(named.starts_with("echo.status,slip,"), "{named}");
+    let unasked = batch(&format!("{COMMON}&echo=all"), CSV, "id,slip\na,0.1\n");
+    assert!(unasked.fault("/id").ends_with("with extra_columns=ignore it is repeated and not read"));
     let twice = batch(&format!("{COMMON}&echo=all&extra_columns=ignore"), CSV, "slip,echo.slip\n0.1,1\n");
     assert!(twice.fault("/echo").contains("`echo.slip`"));
 }
