@@ -15,7 +15,7 @@ use crate::problem::Problem;
 use crate::quantity::About;
 use crate::reply::{AssumedReply, End};
 use crate::request::Request;
-use crate::rows::{Block, Cells, Columns, Echo, Wanted, columns_of, fill};
+use crate::rows::{Block, Cells, Columns, Echo, Wanted, columns_of, fill, unfit};
 use crate::series::ExtraColumns;
 use crate::warning::{Tally, of_assumptions};
 use crate::words::nearest;
@@ -159,8 +159,8 @@ impl Table {
     /// on the threads, nor on the pieces in which rows come.
     ///
     /// # Errors
-    /// What no row can mend, such as a field that is missing, where these are the first rows and all of them have it; and cells
-    /// that are not those of the columns.
+    /// What no row can mend, such as a field that is missing, where these are the first rows and all of them have it; texts in
+    /// place of numbers; and cells that are not those of the columns.
     ///
     /// # Panics
     /// Where a row does, which none should.
@@ -174,9 +174,13 @@ impl Table {
                 "there have to be as many cells in each column, and as many columns as were named".to_owned(),
             ));
         };
+        let unfit = unfit(&self.columns, cells);
+        if !unfit.is_empty() {
+            return Err(Problem::Invalid(unfit).into());
+        }
         let parts = self.parts(cells, rows, threads.max(1));
         if let (0, Some(first)) = (self.rows, parts.first()) {
-            let faults = shared_faults(first, &self.columns.fields);
+            let faults = shared_faults(first, &self.columns);
             if !faults.is_empty() {
                 return Err(Problem::Invalid(faults).into());
             }

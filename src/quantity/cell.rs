@@ -34,9 +34,9 @@ pub(crate) fn line<'a>(cells: impl IntoIterator<Item = Cell<'a>>, out: &mut Vec<
     out.push(b'\n');
 }
 
-/// A text as a cell: in quotes where a comma, a quote or a line end would break the table, or the line might pass for a comment.
+/// A text as a cell: in quotes where a separator, a quote or a line end would break the table, or the line might pass for a comment.
 fn quoted(text: &str) -> Cow<'_, str> {
-    if text.contains([',', '"', '\r', '\n']) || text.starts_with('#') {
+    if text.contains([',', ';', '\t', '"', '\r', '\n']) || text.starts_with('#') {
         format!("\"{}\"", text.replace('"', "\"\"")).into()
     } else {
         text.into()

@@ -16,6 +16,9 @@ pub(crate) struct AssumedReply {
     /// The field of the request, with a dot between an object and its field.
     #[schema(example = "soil.shear_modulus_m")]
     field: String,
+    /// The preset that has no published value of it.
+    #[schema(example = "jsc1a-proxy")]
+    preset: String,
     /// The value, in SI units.
     value: f64,
     /// Where it comes from.
@@ -23,8 +26,8 @@ pub(crate) struct AssumedReply {
 }
 
 impl From<Assumption> for AssumedReply {
-    fn from(Assumption { field, value, reason }: Assumption) -> Self {
-        Self { field, value, reason }
+    fn from(Assumption { field, preset, value, reason }: Assumption) -> Self {
+        Self { field, preset, value, reason }
     }
 }
 

@@ -74,8 +74,9 @@ impl<E: Entry> Preset<E> {
     /// What stands in for the value, if that may be assumed, which is then kept for the answer.
     pub(crate) fn assumed(&self, object: &Reader<'_>, field: &Field<Number>) -> Option<f64> {
         let place = object.place_of(field);
-        let substitute = self.entry.filter(|_| place.may_assume())?.substitute(field.name)?;
-        place.assume(substitute.value, &substitute.reason);
+        let entry = self.entry.filter(|_| place.may_assume())?;
+        let substitute = entry.substitute(field.name)?;
+        place.assume(entry.id(), substitute.value, &substitute.reason);
         Some(substitute.value)
     }
 

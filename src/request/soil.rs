@@ -228,7 +228,7 @@ fn assumed_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Option<Press
     let place = object.place_of(&PRESSURE_SINKAGE);
     for parameter in law.law().parameters {
         if let Some(substitute) = record.substitutes().iter().find(|one| one.is_of_law(parameter.name)) {
-            place.field(parameter.name).assume(substitute.value, &substitute.reason);
+            place.field(parameter.name).assume(&record.id, substitute.value, &substitute.reason);
         }
     }
     Some(law)

@@ -11,10 +11,11 @@ use arrow_ipc::reader::StreamDecoder;
 use arrow_schema::{ArrowError, Schema};
 use terramechanics_reading::FieldFault;
 
+use super::columns::CellKind;
 use super::{Block, Columns, Read, Wanted};
 use crate::problem::Problem;
 use crate::series::SeriesFault;
-use cells::{column_of, echo_of, is_taken, is_text, largest_dictionary};
+use cells::{column_of, echo_of, kind_of, largest_dictionary};
 
 /// Largest record batch, with the dictionaries before it (bytes).
 const LARGEST_BATCH: usize = 16 << 20;
@@ -134,14 +135,16 @@ impl ArrowRows {
         let mut columns = self.wanted.columns(&names).map_err(Problem::Invalid)?;
         let mut faults = Vec::new();
         for (i, field) in schema.fields().iter().enumerate() {
-            let place = columns.field_of[i].map(|place| columns.fields[place].pointer());
-            if place.is_some() && !is_taken(field.data_type()) {
-                let detail = format!("must be a column of numbers, texts or a dictionary of texts, not {}", field.data_type());
-                faults.push(FieldFault::new(place.unwrap_or_default(), detail));
-            }
+            let kind = kind_of(field.data_type());
+            let taken = columns.field_of[i].map_or(Ok(()), |place| match kind {
+                CellKind::Texts => columns.takes(place, kind, "texts"),
+                CellKind::Flags => columns.takes(place, kind, "booleans"),
+                _ => columns.takes(place, kind, field.data_type()),
+            });
+            faults.extend(taken.err());
             if let Some(echo) = columns.echo_of[i] {
-                let is_own = self.wanted.keeps_arrays && !is_text(field.data_type());
-                if !is_own && !is_taken(field.data_type()) {
+                let is_own = self.wanted.keeps_arrays && kind != CellKind::Texts;
+                if !is_own && kind == CellKind::Others {
                     faults.push(FieldFault::new(
                         "/echo",
                         format!("`{}` is of a kind that is not repeated: {}", field.name(), field.data_type()),
@@ -179,5 +182,11 @@ fn fault(detail: &str) -> Problem {
 }
 
 fn unreadable(error: &ArrowError) -> Problem {
+    // Compressed buffers tell a size that only their decompression can prove. A packed body is unpacked within its bounds.
+    if error.to_string().contains("IPC decompression") {
+        return fault(
+            "the buffers of a record batch are compressed; write them without compression, and pack the whole body instead (Content-Encoding: zstd or gzip)",
+        );
+    }
     fault(&format!("the body is not an Arrow stream that can be read: {error}"))
 }

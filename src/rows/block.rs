@@ -63,10 +63,15 @@ impl Block {
     /// Rows of a full block.
     pub(crate) const ROWS: usize = 2048;
 
-    /// Makes room for rows of these columns.
+    /// Makes room for rows of these columns. Rows that are there already have nothing in them.
     pub(super) fn with(&mut self, columns: &Columns) {
-        self.values.resize_with(columns.fields.len(), Vec::new);
-        self.echoes.resize_with(columns.echoed.len(), Echoed::default);
+        let rows = self.rows();
+        if self.values.len() < columns.fields.len() {
+            self.values.resize_with(columns.fields.len(), || vec![f64::NAN; rows]);
+        }
+        if self.echoes.len() < columns.echoed.len() {
+            self.echoes.resize_with(columns.echoed.len(), || Echoed::nothing(rows));
+        }
     }
 
     /// Without rows; `first` come before those that it will have.

@@ -8,7 +8,7 @@ use terramechanics_reading::Node;
 use super::echo::EchoedCell;
 use super::{Block, Columns, Read, Wanted};
 use crate::problem::Problem;
-use crate::series::{Next, Records, SeriesFault, number};
+use crate::series::{Next, Records, number};
 
 /// Reads a table piece by piece.
 pub(crate) struct CsvRows {
@@ -51,58 +51,75 @@ impl CsvRows {
     }
 
     fn record(&mut self, block: &mut Block) -> Result<(), Problem> {
-        let Some(columns) = &self.columns else {
-            let names: Vec<String> =
-                (0..self.records.cells()).map(|at| String::from_utf8_lossy(self.records.cell(at)).into_owned()).collect();
-            if names.iter().any(|name| !name.is_empty()) {
-                let columns = self.wanted.columns(&names).map_err(Problem::Invalid)?;
-                block.with(&columns);
-                self.columns = Some(Arc::new(columns));
-            }
-            return Ok(());
-        };
-        let (found, expected) = (self.records.cells(), columns.field_of.len());
+        let Some(columns) = &self.columns else { return self.heading(block) };
+        let (found, expected) = (self.records.cells(), columns.len());
         if found == 1 && expected > 1 && self.records.cell(0).is_empty() {
             return Ok(()); // blanks
         }
+        self.has_rows = true;
         if found != expected {
-            let detail = format!("the number of cells is {found}, the header has {expected}");
-            if !self.has_rows {
-                return Err(self.fault(found.min(expected) + 1, detail)); // the form is wrong rather than the row
-            }
-            block.faulty_row(SeriesFault { line: self.records.line(), column: 0, detail }.to_string());
+            let hint = if self.records.cell(0).starts_with(b"#") { "; comments stand above it" } else { "" };
+            let detail = format!("the number of cells is {found}, the header has {expected}{hint}");
+            block.faulty_row(self.records.fault(0, detail).to_string());
             return Ok(());
         }
-        self.has_rows = true;
+        let mut unread = None;
         for at in 0..expected {
-            let cell = self.records.cell(at);
-            if let Some(field) = columns.field_of[at] {
-                field_of_cell(block, field, columns.is_number[field], cell);
+            let (field, echo) = (columns.field_of[at], columns.echo_of[at]);
+            if field.is_none() && echo.is_none() {
+                continue;
             }
-            if let Some(column) = columns.echo_of[at] {
-                let text = String::from_utf8_lossy(cell);
-                block.echo(column, echo_of_cell(&text));
+            let cell = self.records.cell(at);
+            let Ok(text) = std::str::from_utf8(cell) else {
+                unread.get_or_insert_with(|| self.records.fault(at + 1, "the cell is not UTF-8"));
+                continue;
+            };
+            if let Some(field) = field.filter(|_| unread.is_none()) {
+                field_of_cell(block, field, columns.is_number[field], text);
+            }
+            if let Some(column) = echo {
+                block.echo(column, echo_of_cell(text));
             }
         }
-        block.end_row();
+        match unread {
+            None => block.end_row(),
+            Some(fault) => block.faulty_row(fault.to_string()),
+        }
+        Ok(())
+    }
+
+    fn heading(&mut self, block: &mut Block) -> Result<(), Problem> {
+        let mut names = Vec::with_capacity(self.records.cells());
+        for at in 0..self.records.cells() {
+            let Ok(name) = std::str::from_utf8(self.records.cell(at)) else {
+                return Err(self.fault(at + 1, "the name of the column is not UTF-8; save the table as UTF-8"));
+            };
+            names.push(name.to_owned());
+        }
+        if names.iter().any(|name| !name.is_empty()) {
+            let columns = self.wanted.columns(&names).map_err(Problem::Invalid)?;
+            block.with(&columns);
+            self.columns = Some(Arc::new(columns));
+            self.records.end_comments();
+        }
         Ok(())
     }
 }
 
 /// Whether the text stands for a value that is not there.
-fn is_missing(cell: &[u8]) -> bool {
-    cell.is_empty() || [&b"na"[..], b"n/a", b"null", b"none"].iter().any(|missing| cell.eq_ignore_ascii_case(missing))
+fn is_missing(cell: &str) -> bool {
+    cell.is_empty() || ["na", "n/a", "null", "none"].iter().any(|missing| cell.eq_ignore_ascii_case(missing))
 }
 
 #[inline]
-fn field_of_cell(block: &mut Block, field: usize, is_number: bool, cell: &[u8]) {
+fn field_of_cell(block: &mut Block, field: usize, is_number: bool, cell: &str) {
     if is_missing(cell) {
         return;
     }
-    if is_number && let Some(value) = number(cell).filter(|value| !value.is_nan()) {
+    if is_number && let Some(value) = number(cell.as_bytes()).filter(|value| !value.is_nan()) {
         return block.number(field, value);
     }
-    block.text(field, &String::from_utf8_lossy(cell), |text| Node::of_text(Cow::Owned(text.to_owned())));
+    block.text(field, cell, |text| Node::of_text(Cow::Owned(text.to_owned())));
 }
 
 fn echo_of_cell(text: &str) -> EchoedCell<'_> {

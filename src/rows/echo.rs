@@ -31,6 +31,11 @@ pub(crate) struct Echoed {
 }
 
 impl Echoed {
+    /// A column with nothing in its first rows.
+    pub(super) fn nothing(rows: usize) -> Self {
+        Self { cells: vec![(0, Kind::Nothing); rows], ..Self::default() }
+    }
+
     pub(super) fn clear(&mut self) {
         self.text.clear();
         self.cells.clear();

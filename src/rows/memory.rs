@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use terramechanics_reading::{FieldFault, Node};
 
+use super::columns::CellKind;
 use super::{Block, Columns, Wanted};
 
 /// The cells of a column.
@@ -35,6 +36,18 @@ impl Cells<'_> {
             Self::Flags(flags) => Some(flags.len()),
         }
     }
+}
+
+/// What is wrong with the kinds of the cells.
+pub(crate) fn unfit(columns: &Columns, cells: &[Cells<'_>]) -> Vec<FieldFault> {
+    let of_fields = cells.iter().zip(&columns.field_of).filter_map(|(cells, field)| Some((cells, (*field)?)));
+    let taken = of_fields.map(|(cells, field)| match cells {
+        Cells::Numbers(_) | Cells::SomeNumbers(..) => columns.takes(field, CellKind::Numbers, "numbers"),
+        Cells::Texts { texts: [], .. } => columns.takes(field, CellKind::Nothing, "nothing"),
+        Cells::Texts { .. } => columns.takes(field, CellKind::Texts, "texts"),
+        Cells::Flags(_) => columns.takes(field, CellKind::Flags, "booleans"),
+    });
+    taken.filter_map(Result::err).collect()
 }
 
 /// The columns of these names.

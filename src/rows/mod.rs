@@ -12,7 +12,7 @@ pub(crate) use block::{Block, Shape};
 pub(crate) use columns::{Columns, Echo, Wanted};
 pub(crate) use echo::EchoedCell;
 pub use memory::Cells;
-pub(crate) use memory::{columns_of, fill};
+pub(crate) use memory::{columns_of, fill, unfit};
 
 use std::sync::Arc;
 

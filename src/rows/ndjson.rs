@@ -7,23 +7,25 @@ use terramechanics_reading::{Fields, Node, Unread, json};
 use super::echo::EchoedCell;
 use super::{Block, Columns, Read, Wanted};
 use crate::problem::Problem;
-use crate::series::{Line, Lines};
+use crate::series::{Line, Lines, SeriesFault};
 
 /// How a row is written, for those who wrote something else.
 const HOW: &str = "write one object a line, such as {\"soil.cohesion_pa\": 200, \"slip\": 0.2}";
 
-/// Reads lines piece by piece. The columns are the fields of the first.
+/// Reads lines piece by piece. The columns are the fields of the first object.
 pub(crate) struct NdjsonRows {
     wanted: Wanted,
     lines: Lines,
     columns: Option<Arc<Columns>>,
     /// The names of the columns.
     names: Vec<String>,
+    /// What is wrong with the first line, as long as no line told the columns.
+    first_fault: Option<SeriesFault>,
 }
 
 impl NdjsonRows {
     pub(super) fn new(wanted: Wanted) -> Self {
-        Self { wanted, lines: Lines::default(), columns: None, names: Vec::new() }
+        Self { wanted, lines: Lines::default(), columns: None, names: Vec::new(), first_fault: None }
     }
 
     pub(super) fn columns(&self) -> Option<&Arc<Columns>> {
@@ -33,19 +35,21 @@ impl NdjsonRows {
     pub(super) fn fill(&mut self, input: &mut &[u8], last: bool, block: &mut Block) -> Result<Read, Problem> {
         loop {
             if block.is_full() {
-                return Ok(Read::Full);
+                return if self.columns.is_some() { Ok(Read::Full) } else { Err(self.no_columns()) };
             }
             match self.lines.next(input, last).map_err(Problem::Unreadable)? {
                 Line::More => return Ok(Read::More),
-                Line::End if self.columns.is_none() => return Err(self.fault(0, "there are no rows")),
+                Line::End if self.columns.is_none() => return Err(self.no_columns()),
                 Line::End => return Ok(Read::End),
                 Line::Text(line) => self.line(&line, block)?,
             }
         }
     }
 
-    fn fault(&self, column: usize, detail: impl Into<String>) -> Problem {
-        Problem::Unreadable(self.lines.fault(column, detail))
+    /// No line told the columns: the form is wrong rather than a row.
+    fn no_columns(&mut self) -> Problem {
+        let fault = self.first_fault.take();
+        Problem::Unreadable(fault.unwrap_or_else(|| self.lines.fault(0, "there are no rows")))
     }
 
     fn line(&mut self, line: &[u8], block: &mut Block) -> Result<(), Problem> {
@@ -59,10 +63,11 @@ impl NdjsonRows {
                 (error.column(), format!("the line is not JSON, {said}; {HOW}"))
             }
         };
+        let fault = self.lines.fault(column, detail);
+        block.faulty_row(fault.to_string());
         if self.columns.is_none() {
-            return Err(self.fault(column, detail)); // the form is wrong rather than the row, and nothing is lost yet
+            self.first_fault.get_or_insert(fault);
         }
-        block.faulty_row(self.lines.fault(column, detail).to_string());
         Ok(())
     }
 
@@ -86,7 +91,7 @@ impl NdjsonRows {
             let Some(at) = at.filter(|at| !seen[*at]) else {
                 odd.get_or_insert_with(|| match at {
                     Some(_) => format!("`{}` is given more than once", terramechanics_reading::shortened(name)),
-                    None => format!("the first row has no `{}`, so none may have it", terramechanics_reading::shortened(name)),
+                    None => format!("the first object has no `{}`, so none may have it", terramechanics_reading::shortened(name)),
                 });
                 return;
             };

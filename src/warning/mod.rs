@@ -161,7 +161,7 @@ pub(crate) fn of_point(cautions: impl Iterator<Item = Caution>, system: &WheelOn
 
 /// What is to be said where values were assumed.
 pub(crate) fn of_assumptions(assumptions: &[Assumption]) -> Option<Warning> {
-    let value = |one: &Assumption| (one.field.clone(), one.value);
+    let value = |one: &Assumption| (one.field.clone(), one.preset.clone(), one.value);
     (!assumptions.is_empty()).then(|| Finding::AssumedValues { values: assumptions.iter().map(value).collect() }.into())
 }
 

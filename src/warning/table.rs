@@ -114,11 +114,11 @@ findings! { many;
     },
     advises "Check its unit.";
 
-    "assumed_values" AssumedValues { values: Vec<(String, f64)> }
-    means "Values of a preset that were never published were assumed, as the request allowed: which, and with what value. The answer lists under `assumed` where each comes from."
+    "assumed_values" AssumedValues { values: Vec<(String, String, f64)> }
+    means "Values of a preset that were never published were assumed, as the request allowed: which, of which preset, and with what value. The answer lists under `assumed` where each comes from."
     field "/assume",
     says {
-        let values: Vec<String> = values.iter().map(|(field, value)| format!("`{field}` = {}", number(*value))).collect();
+        let values: Vec<String> = values.iter().map(|(field, preset, value)| format!("`{field}` of `{preset}` = {}", number(*value))).collect();
         format!("never published and assumed: {}.", listed(&values))
     },
     advises "Look under `assumed` where each value comes from, and send your own where it is known.";

@@ -147,6 +147,18 @@ fn a_stream_that_cannot_be_read_is_refused_or_breaks_off() {
     assert!(large.0 == 400 && String::from_utf8_lossy(&large.2.expect("a problem")).contains("at most 16 MiB"));
     let odd = batch_of(vec![("slip", Arc::new(arrow_array::Date32Array::from(vec![1])))]);
     assert_eq!(of(stream(&[odd])).0, 422);
+    let texts = batch_of(vec![("slip", Arc::new(StringArray::from(vec!["0.1"])))]);
+    let (status, _, told) = of(stream(&[texts]));
+    let told = String::from_utf8(told.expect("a problem")).expect("text");
+    assert!(
+        status == 422 && told.contains("/slip: must be a column of numbers (integers, Float32 or Float64), not of texts"),
+        "{told}"
+    );
+    // Written by pyarrow 26.
+    let (status, _, told) =
+        asked("wheel.preset=letter&sinkage_m=0.02", &[("content-type", ARROW)], include_bytes!("batch_zstd.arrows").to_vec());
+    let told = String::from_utf8(told.expect("a problem")).expect("text");
+    assert!(status == 400 && told.contains("write them without compression") && told.contains("Content-Encoding"), "{told}");
     // What is wrong behind rows that were answered breaks the answer off, which has no place for words.
     let mut cut = stream(&[slips(9000)]);
     cut.truncate(cut.len() - 8);

@@ -4,6 +4,7 @@ mod asking;
 mod assume;
 mod batch;
 mod batch_arrow;
+mod batch_rows;
 mod batch_stream;
 mod braking;
 mod by_hand;

@@ -21,3 +21,9 @@ def test_the_programs_of_the_document_run(capsys):
     alone = names["terramechanics"].ask("forces", {**names["REQUEST"], "slip": 0.2, "normal_load_n": 80})
     assert rows == [(*(alone[name] for name in names["WANTED"]), "ok")]
     assert isinstance(names["database"], duckdb.DuckDBPyConnection)
+    # The other engine finds the same of the same points.
+    best = {row["load"]: (row["best"], row["answered"]) for row in names["best"].to_pylist()}
+    for load in (40.0, 80.0):
+        slips = [slip / 100 for slip in range(1, 61)]
+        forces = names["terramechanics"].batch({"slip": slips}, {**names["REQUEST"], "normal_load_n": load})["longitudinal_force_n"]
+        assert best[load] == (forces.max(), 60)

@@ -7,6 +7,8 @@ use std::cell::RefCell;
 pub struct Assumption {
     /// The field with a dot between the names of objects and their fields: `soil.cohesion_pa`.
     pub field: String,
+    /// The entry that lacks it.
+    pub preset: String,
     /// Its value.
     pub value: f64,
     /// Why this value.
@@ -51,13 +53,13 @@ mod tests {
         let root = Scope::root(&faults);
         let soil = root.field("stations").item(1);
         let soil = soil.field("soil");
-        soil.field("cohesion_pa").assume(1.0, "early");
+        soil.field("cohesion_pa").assume("sand", 1.0, "early");
         assert_eq!(faults.assumptions(), None);
         root.allow_assumptions();
         let apart = Faults::apart(&root);
-        Scope::root(&apart).field("slip").assume(0.2, "apart");
-        soil.field("cohesion_pa").assume(2.0, "first");
-        soil.field("cohesion_pa").assume(3.0, "again");
+        Scope::root(&apart).field("slip").assume("sand", 0.2, "apart");
+        soil.field("cohesion_pa").assume("sand", 2.0, "first");
+        soil.field("cohesion_pa").assume("sand", 3.0, "again");
         root.assume_all(apart.assumptions().expect("allowed"));
         let told: Vec<_> = faults.assumptions().expect("allowed").into_iter().map(|one| (one.field, one.value)).collect();
         assert_eq!(told, [("stations.1.soil.cohesion_pa".to_owned(), 2.0), ("slip".to_owned(), 0.2)]);

@@ -207,10 +207,11 @@ impl<'a> Scope<'a> {
         self.faults.assumptions.are_allowed()
     }
 
-    /// Keeps that this field was not sent and is taken to have a value.
-    pub fn assume(&self, value: f64, reason: &str) {
+    /// Keeps that this field, which `preset` lacks, was not sent and is taken to have a value.
+    pub fn assume(&self, preset: &str, value: f64, reason: &str) {
         self.faults.assumptions.add(|| Assumption {
             field: self.pointer().trim_start_matches('/').replace('/', "."),
+            preset: preset.to_owned(),
             value,
             reason: reason.to_owned(),
         });

@@ -30,13 +30,17 @@ pub(crate) use run::shared_faults;
 /// Each row is a request for forces: a column is one of its fields, with a dot between an object and its field
 /// (`soil.cohesion_pa`, `wheel.radius_m`, `soil.pressure_sinkage.n0`, `slip`), and what all rows have in common stands in the query
 /// under the same names. A field is in the body or in the query, not in both. Columns of words name presets and laws
-/// (`soil.preset`). An empty cell, or a null, is a field that was not sent with this row. In NDJSON the fields of the first line are
-/// the columns; a later line may leave some out.
+/// (`soil.preset`). An empty cell, or a null, is a field that was not sent with this row. In NDJSON the fields of the first object
+/// are the columns; a later line may leave some out. In a CSV comments after `#` stand above the heading; below it every line that is
+/// not blank is a row.
 ///
 /// The answer has a row for each row, in their order: the columns that `echo` repeats, those of a sweep, and `status`. That is `ok`;
 /// else the numbers are empty or null and it says why: `invalid: /soil/cohesion_pa must be from 0 to 1e8, not -5` where the row
-/// makes no request, `no_solution: …` where the model has no answer, in the words of /v1/forces. What all rows lack, such as a
-/// soil, is a problem of the whole. The numbers are those of /v1/forces.
+/// makes no request or is not UTF-8, `no_solution: …` where the model has no answer, in the words of /v1/forces. A bad row is that
+/// wherever it stands; what no row can mend, such as an unknown column or a wheel that is nowhere, is a problem of the whole. The
+/// numbers are those of /v1/forces: these rows are single wheels, and the rovers of /v1/vehicle have no batch.
+///
+/// The answer has the form of the body unless `Accept` prefers another of the three; a form that is none of them is not heeded.
 ///
 /// Rows are answered in constant memory: while others still arrive where the body is sent in chunks, and when the body has ended
 /// where its length is declared or a proxy passes it on. Behind the rows of a CSV stand comments:
@@ -45,7 +49,8 @@ pub(crate) use run::shared_faults;
 /// where the reason is known the last line is `#error,<detail>`, or an object with `error`.
 ///
 /// An Arrow stream (`application/vnd.apache.arrow.stream`) has columns of numbers, of texts or of dictionaries of texts, in record
-/// batches of at most 16 MiB. Its answer has columns of Float64 with nulls and of Utf8; the last record batch of a whole answer has
+/// batches of at most 16 MiB without compression of their own; the whole may be packed. A field that is a number takes integers,
+/// Float32 and Float64. Its answer has columns of Float64 with nulls and of Utf8; the last record batch of a whole answer has
 /// no rows, and its metadata have `rows`, `warnings` and `assumed`. An answer that cannot be completed breaks off, and the connection with it.
 #[utoipa::path(
     post,

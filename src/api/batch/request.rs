@@ -19,12 +19,12 @@ use super::answers::STATUS;
 
 const ECHO: Field<Label> = Field::new(
     "echo",
-    "Columns of the body, with commas between, that stand again in front of those of the answer, such as an id; `all`: all of them. They need not be fields. One that the answer has anyway stands there once.",
+    "Columns of the body, with commas between, that stand again in front of those of the answer, such as an id; `all`: all of them, those that are no fields with `extra_columns=ignore`. A column of `echo` need not be a field. One that has the name of a column of the answer stands there as `echo.slip`, `echo.status` and so on.",
     Label,
 );
 const EXTRA_COLUMNS: Field<Word<ExtraColumns>> = Field::new(
     "extra_columns",
-    "What becomes of columns that are no field and are not in `echo`: refuse names them all; ignore leaves them out.",
+    "What becomes of columns that are no field and are not named in `echo`: refuse names them all; ignore does not read them, and only `echo=all` repeats them.",
     Word::new(&[("refuse", ExtraColumns::Refuse), ("ignore", ExtraColumns::Ignore)]).or(ExtraColumns::Refuse),
 );
 const ALL: &str = "all";
@@ -41,9 +41,6 @@ pub(super) fn wanted(uri: &Uri) -> Result<Wanted, Problem> {
         .and_then(|node| EXTRA_COLUMNS.kind.read(&node, root.field(EXTRA_COLUMNS.name)))
         .unwrap_or(ExtraColumns::Refuse);
     let echo = taken(&mut query, ECHO.name, &root).map(echo).unwrap_or(Echo::Names(Vec::new()));
-    if matches!(&echo, Echo::Names(names) if names.iter().any(|name| name == STATUS)) {
-        root.field(ECHO.name).fault("the answer has a `status` of its own; rename the column");
-    }
     let list: Vec<FieldFault> = faults.into_list();
     if !list.is_empty() {
         return Err(Problem::Invalid(list));

@@ -13,7 +13,7 @@ use super::request::answered;
 use crate::extract::RowsForm;
 use crate::problem::Problem;
 use crate::reply::{AssumedReply, End};
-use crate::rows::{Block, Read, Reader, Wanted};
+use crate::rows::{Block, Columns, Read, Reader, Wanted};
 use crate::stream::{BlockWork, Taken};
 use crate::varied::shared;
 use crate::warning::{Tally, of_assumptions};
@@ -72,16 +72,19 @@ impl Batch {
     }
 }
 
-/// The faults of the request that no row can mend, where all rows of the first block have them, whose columns are `fields`.
-pub(crate) fn shared_faults(answers: &Answers, fields: &[Path]) -> Vec<FieldFault> {
+/// The faults of the request that no row can mend, where all rows of the first block have them.
+pub(crate) fn shared_faults(answers: &Answers, columns: &Columns) -> Vec<FieldFault> {
     if answers.has_case {
         return Vec::new();
     }
-    let pointers: Vec<String> = fields.iter().map(Path::pointer).collect();
+    let pointers: Vec<String> = columns.fields.iter().map(Path::pointer).collect();
     let is_of_all = |fault: &FieldFault| fault.figures.as_ref().is_none_or(|figures| figures.maximum_from.is_none());
     let shared = shared(&answers.refused, &pointers).into_iter().filter(|of_rows| of_rows.field.is_none());
     // A row that cannot be read has a fault of its own, which is that of no field.
-    shared.map(|of_rows| of_rows.fault).filter(|fault| !fault.pointer.is_empty() && is_of_all(fault)).collect()
+    shared
+        .map(|of_rows| of_rows.fault)
+        .filter(|fault| !fault.pointer.is_empty() && is_of_all(fault) && !columns.may_mend(&fault.pointer))
+        .collect()
 }
 
 impl BlockWork for Batch {
@@ -122,8 +125,7 @@ impl BlockWork for Batch {
     fn give(&mut self, mut rows: Box<Rows>) -> Result<Bytes, Problem> {
         let mut output = Vec::new();
         if !self.has_begun {
-            let fields = self.plan.as_ref().map_or(&[][..], |plan| &plan.columns.fields);
-            let faults = shared_faults(&rows.answers, fields);
+            let faults = self.plan.as_ref().map_or_else(Vec::new, |plan| shared_faults(&rows.answers, &plan.columns));
             if !faults.is_empty() {
                 return Err(Problem::Invalid(faults));
             }

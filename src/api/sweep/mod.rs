@@ -53,7 +53,8 @@ impl GridCase {
 /// how it went, and a warning why; the fields that warnings name are those of `request`.
 ///
 /// With `Accept: text/csv`, `application/x-ndjson` or `application/vnd.apache.arrow.stream` the rows come as they are computed, up
-/// to a million of them, in constant memory; in JSON an answer has at most 100000. Behind the rows of a CSV stand comments:
+/// to a million of them, in constant memory; in JSON, which is also sent where `Accept` names no form that is there, an answer has at
+/// most 100000. Behind the rows of a CSV stand comments:
 /// `#warning,<code>,<detail>` for each warning, and `#end,<rows>` as the last line of a whole answer. In NDJSON the last line is an
 /// object with `end`, `rows` and `warnings`. An answer without that line was cut; where the reason is known the last line is
 /// `#error,<detail>`, or an object with `error`. The last record batch of a whole Arrow stream has no rows, and its metadata have

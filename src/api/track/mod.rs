@@ -40,7 +40,7 @@ use run::Run;
 /// of the columns, is separated by commas, semicolons or tabs, and may have decimal commas, a byte order mark, carriage returns,
 /// comments after `#` and a row of units below the header. In NDJSON the words NaN, Infinity and -Infinity, which Python
 /// writes, are missing values. Columns with other names are refused unless `extra_columns=ignore` leaves them out. The answer
-/// comes in the form of the body unless the header Accept prefers another. CSV and NDJSON are answered in constant memory: while
+/// comes in the form of the body unless the header Accept prefers another of JSON, CSV and NDJSON. CSV and NDJSON are answered in constant memory: while
 /// they arrive where the body is sent in chunks, and when the body has ended where its length is declared or a proxy passes it on.
 ///
 /// Behind the rows of a CSV stand comments: `#warning,<code>,<detail>` for each warning, where the detail is the rest of the line

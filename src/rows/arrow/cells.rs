@@ -8,21 +8,20 @@ use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::DataType;
 use terramechanics_reading::Node;
 
+use crate::rows::columns::CellKind;
 use crate::rows::{Block, EchoedCell};
 
-/// Whether a column is of texts, or of a dictionary of them.
-pub(super) fn is_text(of: &DataType) -> bool {
+/// What the cells of a column of that type are.
+pub(super) fn kind_of(of: &DataType) -> CellKind {
     match of {
-        DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => true,
-        DataType::Dictionary(_, values) => is_text(values),
-        _ => false,
+        DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => CellKind::Texts,
+        DataType::Dictionary(_, values) if kind_of(values) == CellKind::Texts => CellKind::Texts,
+        DataType::Float32 | DataType::Float64 => CellKind::Numbers,
+        of if of.is_integer() => CellKind::Numbers,
+        DataType::Boolean => CellKind::Flags,
+        DataType::Null => CellKind::Nothing,
+        _ => CellKind::Others,
     }
-}
-
-/// Whether the values of a column can be those of a field.
-pub(super) fn is_taken(of: &DataType) -> bool {
-    let is_number = of.is_integer() || matches!(of, DataType::Float32 | DataType::Float64);
-    is_number || is_text(of) || matches!(of, DataType::Boolean | DataType::Null)
 }
 
 /// Bytes of the largest dictionary of a record batch.

@@ -81,8 +81,10 @@ pub(super) fn first_line(text: &[u8]) -> Option<&[u8]> {
     text.split(|byte| matches!(byte, b'\n' | b'\r')).find(|line| !line.trim_ascii().is_empty() && !line.starts_with(b"#"))
 }
 
+/// The separator of a header: a semicolon or a tab where there is one outside of quotes, else a comma.
 pub(super) fn separator(header: &[u8]) -> u8 {
-    [b';', b'\t'].into_iter().find(|separator| header.contains(separator)).unwrap_or(b',')
+    let is_there = |separator: &u8| header.split(|byte| *byte == b'"').step_by(2).any(|outside| outside.contains(separator));
+    [b';', b'\t'].into_iter().find(is_there).unwrap_or(b',')
 }
 
 /// The number in a cell: NaN for an empty one and for the words that stand for a missing value, none for any other text.

@@ -20,6 +20,8 @@ pub(crate) struct Records {
     latest: u8,
     /// The line in which the record starts.
     line: u64,
+    /// Whether a line with `#` at its beginning is a comment.
+    has_comments: bool,
 }
 
 /// What is found next in a table.
@@ -64,7 +66,13 @@ impl Records {
             line_ends: 0,
             latest: 0,
             line: 1,
+            has_comments: true,
         }
+    }
+
+    /// From here on a `#` begins a cell like any other.
+    pub(crate) fn end_comments(&mut self) {
+        self.has_comments = false;
     }
 
     /// The next record; takes what it uses off `input`. With `last` nothing comes after `input`.
@@ -129,7 +137,7 @@ impl Records {
             let mut outcome = (ReadRecordResult::InputEmpty, 0, 0, 0);
             match (*within, source.first()) {
                 // Comments end with a carriage return as well, which the reader of records would pass over.
-                (Within::Nothing, Some(b'#')) => *within = Within::Hash([0; LONGEST_ERROR], 0),
+                (Within::Nothing, Some(b'#')) if self.has_comments => *within = Within::Hash([0; LONGEST_ERROR], 0),
                 (Within::Nothing, Some(b'\n' | b'\r')) => outcome.1 = 1,
                 (Within::Nothing, Some(_)) => {
                     *within = Within::Record;

@@ -32,13 +32,8 @@ fn the_first_request_has_the_answer_shown() {
     let (path, body) = first_request();
     let shown: Value = serde_json::from_str(blocks(README, "json")[0]).expect("JSON");
     let answer = post(&path, &body).ok();
-    let close = |a: &Value, b: &Value| (a.as_f64().expect("a number") - b.as_f64().expect("a number")).abs() < 1e-9;
-    for name in ["longitudinal_force_n", "normal_force_n", "torque_n_m", "drawbar_coefficient", "tractive_efficiency"] {
-        assert!(close(&shown[name], &answer[name]), "{name}");
-    }
-    assert_eq!(shown["warnings"], answer["warnings"]);
-    let names = |value: &Value| value.as_object().expect("an object").keys().cloned().collect::<Vec<_>>();
-    assert_eq!(names(&shown), names(&answer));
+    // Every processor gives the same bits, so that the last digit counts.
+    assert_eq!(shown, answer);
 }
 
 #[test]

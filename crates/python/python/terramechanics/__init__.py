@@ -20,6 +20,7 @@ from .engine import engine
 from .refused import Refused
 from .requests import Request, ask
 from .rows import Column, Rows
+from .told import ModelWarning
 from .veneer import batch
 
-__all__ = ["Column", "Refused", "Request", "Rows", "ask", "batch", "engine", "operations"]
+__all__ = ["Column", "ModelWarning", "Refused", "Request", "Rows", "ask", "batch", "engine", "operations"]

@@ -22,7 +22,7 @@ ABSENT = 2
 def unfit(name: str, kind: object) -> Refused:
     """The refusal of a column of that kind, as the service has it for a column of Arrow."""
     pointer = "/" + name.replace(".", "/")
-    detail = f"must be a column of numbers, texts or a dictionary of texts, not {kind}"
+    detail = f"must be a column of numbers, booleans, texts or a dictionary of texts, not of {kind}"
     return Refused({
         "type": "/problems/invalid-input", "title": "The request cannot be computed", "status": 422,
         "detail": f"{pointer}: {detail}", "errors": [{"pointer": pointer, "detail": detail}],

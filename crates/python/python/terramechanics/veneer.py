@@ -14,6 +14,7 @@ from .cells import Cells, of_array, of_arrow, of_series
 from .refused import Refused
 from .requests import Request
 from .rows import OK, STATUS, Column, Common, ExtraColumns, Of, Rows, Table
+from .told import tell
 
 STATUSES = (OK, "invalid", "no_solution", "not_climbed")
 """What the flags of a data set mean."""
@@ -50,10 +51,11 @@ def batch(
         rows: the columns, all of one shape.
             A mapping of arrays of shape (rows,) gives `Rows`, a mapping of such arrays.
             A `pandas.DataFrame` gives one with the same index; its `attrs` have `warnings` and `assumed`.
-            A `dask.dataframe.DataFrame` gives one that computes its parts where Dask has it.
+            A `dask.dataframe.DataFrame` gives one that computes its parts where Dask has it. What is to be said of them is a
+            `ModelWarning`, once for each code.
             A `pyarrow.Table` or `RecordBatch` gives another; the metadata of its schema has `warnings` and `assumed`.
             An `xarray.Dataset` gives one of the same dimensions, in which each quantity has its unit, and `status` is a flag. What
-            Dask holds stays with Dask.
+            Dask holds stays with Dask. What is to be said of the rows is a `ModelWarning`, once for each code.
         request: fields of all rows.
         of: `forces` of a wheel, or `vehicle`, a rover on one slope.
         columns: the names of those columns of the answer that are wanted. A rover without `largest_slope_rad` takes a fraction of
@@ -74,8 +76,8 @@ def batch(
         case "pandas", "DataFrame":
             return of_frame(rows, common, threads)
         case ("dask" | "dask_expr"), "DataFrame":
-            whole = partial(of_frame, common=common, threads=threads or 1)
-            return rows.map_partitions(whole, meta=whole(rows._meta))
+            whole = partial(of_part, common=common, threads=threads or 1)
+            return rows.map_partitions(whole, meta=of_frame(rows._meta, common, 1))
         case "pyarrow", ("Table" | "RecordBatch"):
             return of_arrow_table(rows, common, threads)
         case "xarray", "Dataset":
@@ -121,6 +123,13 @@ def of_frame(frame: Any, common: Common, threads: int | None) -> Any:
     return result
 
 
+def of_part(part: Any, common: Common, threads: int) -> Any:
+    """The answer to a part of a frame of Dask, which joins the parts without their attributes."""
+    result = of_frame(part, common, threads)
+    tell(result.attrs["warnings"])
+    return result
+
+
 def of_arrow_table(table: Any, common: Common, threads: int | None) -> Any:
     import pyarrow
 
@@ -162,6 +171,7 @@ def of_cells(*arrays: NDArray[Any], names: Sequence[str], about: Sequence[Column
         return (*(numpy.empty(shape) for _ in about), numpy.empty(shape, numpy.int8))
     flat = {name: array.ravel() for name, array in zip(names, together)}
     found = answered(names, lambda name: of_array(name, flat[name]), common, threads)
+    tell(found.warnings)
     flags = numpy.zeros(len(found.status), numpy.int8)
     for row in numpy.flatnonzero(found.status != OK):
         flags[row] = STATUSES.index(found.status[row].split(":")[0])
