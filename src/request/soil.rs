@@ -20,14 +20,14 @@ const PRESET: Field<Lookup<&'static SoilRecord>> = Field::new(
     Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil },
 );
 pub(crate) const COHESION: Field<Number> = own_field(&Soil::COHESION);
-const FRICTION_ANGLE: Field<Number> = own_field(&Soil::FRICTION_ANGLE);
-const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
-const PRESSURE_SINKAGE: Field<&Tagged> = Field::new(
+pub(super) const FRICTION_ANGLE: Field<Number> = own_field(&Soil::FRICTION_ANGLE);
+pub(super) const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
+pub(super) const PRESSURE_SINKAGE: Field<&Tagged> = Field::new(
     "pressure_sinkage",
     "Pressure–sinkage law. With `law` it replaces the preset's as a whole; without, its values replace those of the preset's law.",
     &laws::PRESSURE_SINKAGE,
 );
-const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
+pub(super) const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
 pub(crate) const SHEAR: Field<&Tagged> = Field::new(
     "shear",
     "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m. Without `law` its values replace those of the preset's law.",

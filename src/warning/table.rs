@@ -1,5 +1,7 @@
 //! The table of findings: to add one is to add an entry, and to raise it where it is found.
 
+use std::borrow::Cow;
+
 use terramechanics::Nearest;
 use terramechanics_identification::{DesignGap, StopReason};
 use terramechanics_uncertainty::Bounds;
@@ -7,7 +9,7 @@ use terramechanics_uncertainty::Bounds;
 use super::Measure;
 use super::figure::Figure;
 use super::pieces::{BeyondRange, gap_advice, gap_of};
-use super::words::{Reason, counted, listed, quoted};
+use super::words::{Reason, counted, listed, listed_in_short, quoted, told_names};
 use crate::catalogue::{CATALOGUE, Outside};
 use crate::quantity::number;
 use crate::quantity::with_unit;
@@ -62,8 +64,8 @@ macro_rules! findings {
             }
 
             /// The fields of request or answer that it names.
-            pub(super) fn names(&self) -> Vec<&'static str> {
-                match self { $(Self::$name { $($data),* } => None$(.or(Some($names)))?.unwrap_or_default(),)+ }
+            pub(super) fn names(&self) -> Vec<Cow<'static, str>> {
+                match self { $(Self::$name { $($data),* } => None$(.or(Some(told_names($names))))?.unwrap_or_default(),)+ }
             }
 
             /// The end of the range at which the value lies.
@@ -95,6 +97,17 @@ findings! { many;
     says "the wheel moves backwards.",
     advises "Angles, stresses and slip are those of its mirror image; forces along x and the torque keep the axes of the rover, with x \
              forward, and have changed sign.";
+
+    "not_used" NotUsed { pointers: Vec<String> }
+    means "Fields of the request that the method does not read, so that no force depends on them: which, in `names`, as JSON pointers. What a preset has is not told."
+    field pointers.first().map_or("", String::as_str),
+    names pointers.clone(),
+    says format!(
+        "the method does not read {}: no force depends on {}.",
+        listed_in_short(pointers),
+        if pointers.len() == 1 { "it" } else { "them" }
+    ),
+    advises "Leave them out, or choose a method that reads them; `/v1/model` says what each needs.";
 
     "outside_catalogue" OutsideCatalogue { outside: Outside }
     means "A value of the wheel or the soil is more than three times beyond the extremes of the catalogue, or a friction angle is beyond them at all. It may be right, or it may be in another unit."

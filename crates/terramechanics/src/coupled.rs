@@ -24,7 +24,7 @@ use crate::contact::Angles;
 use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
 use crate::motion::Heading;
-use crate::outcome::system_cautions;
+use crate::outcome::{interface_caution, system_cautions};
 use crate::patch::ContactPatch;
 use crate::pull_from_torque::{CoupledForces, pull_from_torque, torque_against_slip};
 use crate::rolling::{Rolling, WheelOnSoil};
@@ -167,6 +167,10 @@ impl CoupledForces {
 
 /// What is to be taken with care of the coupled forms at this slip and sinkage (m), whatever load and torque are.
 pub(crate) fn coupled_cautions(system: &WheelOnSoil, slip: Slip, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
-    let own = [DEEP_SINKAGE.of(sinkage / system.wheel.radius()), SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())];
+    let own = [
+        DEEP_SINKAGE.of(sinkage / system.wheel.radius()),
+        SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio()),
+        interface_caution(&system.wheel, system.contact.params()),
+    ];
     own.into_iter().flatten().chain(system_cautions(system))
 }

@@ -100,7 +100,7 @@ pub use load::CarriedLoad;
 pub use motion::{Heading, Motion, Velocities};
 pub use operating_point::{KnownSinkage, NormalStressFrom, OperatingPoint, Sinkage};
 pub use operation::Operation;
-pub use outcome::{Outcome, cautions, system_cautions};
+pub use outcome::{Outcome, cautions, interface_caution, system_cautions};
 pub use parameter::{Parameter, Parametrised, Presence, Requirement};
 pub use patch::ContactPatch;
 pub use pressure_sinkage::*;

@@ -65,7 +65,10 @@ impl ForcesCase {
         tally: &mut Tally,
         mut put: impl FnMut(f64),
     ) -> Result<(), Error> {
-        let Self { operation, .. } = self;
+        let Self { operation, unused, .. } = self;
+        if let Some(finding) = unused.finding() {
+            tally.finding(finding);
+        }
         let (motion, point) = match self.point() {
             Ok(found) => found,
             Err(error) => {

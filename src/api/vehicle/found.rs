@@ -7,6 +7,7 @@ use super::request::{Slopes, VehicleCase, word};
 use crate::compute::Pace;
 use crate::problem::Problem;
 use crate::reply::method_name;
+use crate::request::circles::Counted;
 use crate::warning::{Finding, RowCautions, Rows, Warning, of_system};
 
 /// A slope, and the rover on it unless it has no answer there.
@@ -25,7 +26,7 @@ pub(crate) struct FoundVehicle {
     pub(crate) largest: Option<f64>,
     pub(crate) gravity: f64,
     pub(crate) method: &'static str,
-    pub(crate) circles: Circles,
+    pub(crate) circles: Counted,
     pub(crate) drive: &'static str,
     pub(crate) has_statics: bool,
     pub(crate) velocity: Option<f64>,
@@ -39,7 +40,7 @@ pub(crate) struct FoundVehicle {
 /// # Errors
 /// What the model refuses of a rover on one slope, unless it just does not climb that; or that the work is to end.
 pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, Problem> {
-    let VehicleCase { vehicle, have_own_soil, slopes, hitch_pull, slip_limit, velocity } = case;
+    let VehicleCase { vehicle, have_own_soil, unused, slopes, hitch_pull, slip_limit, velocity } = case;
     let is_one = matches!(slopes, Slopes::One(_));
     let mut found = Vec::with_capacity(slopes.len());
     for &slope in slopes.as_slice() {
@@ -59,14 +60,16 @@ pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, P
     warnings.extend(of_largest(&largest));
     warnings.extend(cautions(vehicle, &found));
     warnings.extend(of_systems(vehicle));
+    warnings.extend(unused.warning());
     let params = vehicle.params();
+    let circles = params.stations.first().map_or(Circles::SHEARING, |station| station.system.contact.circles());
     Ok(FoundVehicle {
         is_one,
         slopes: found,
         largest: largest.ok().map(|largest| largest.slope),
         gravity: params.gravity,
         method: method_name(&params.model.method),
-        circles: params.stations.first().map_or(Circles::SHEARING, |station| station.system.contact.circles()),
+        circles: Counted::by(&params.model.method, circles),
         drive: word(params.drive),
         has_statics: vehicle.has_statics(),
         velocity: *velocity,

@@ -68,6 +68,9 @@ impl VehicleCase {
         cells.extend(row(&found, *velocity));
         let largest = with_largest.then(|| vehicle.largest_slope(*hitch_pull, *slip_limit).ok()).flatten();
         cells.push(largest.map_or(f64::NAN, |largest| largest.slope));
+        if let Some(finding) = self.unused.finding() {
+            tally.finding(finding);
+        }
         for station in &vehicle.params().stations {
             let (wheel, soil) = (&station.system.wheel, station.system.soil.params());
             catalogue::outside(wheel, soil).for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
