@@ -99,6 +99,11 @@ impl Warning {
         Self { series, ..self }
     }
 
+    /// Whether it is about what was sent rather than about what came of it.
+    pub(crate) fn is_hint(&self) -> bool {
+        matches!(&self.subject, Subject::Finding(Finding::OutsideCatalogue { .. } | Finding::NotUsed { .. }))
+    }
+
     /// Kind of the warning, for programs.
     pub(crate) fn code(&self) -> &'static str {
         match &self.subject {

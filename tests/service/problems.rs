@@ -317,3 +317,44 @@ fn whatever_is_sent_the_answer_is_no_500() {
         }
     }
 }
+
+/// A value in another unit is often the reason why there is no answer.
+#[test]
+fn a_failed_computation_says_which_values_may_be_in_another_unit() {
+    let hinted = |path: &str, body: &Value| {
+        let problem = post(path, body).problem(422);
+        let warnings = problem["warnings"].as_array().unwrap_or_else(|| panic!("no warnings in {problem}")).clone();
+        let hints = warnings.iter().map(|warning| (warning["code"].clone(), warning["pointer"].clone()));
+        hints.collect::<Vec<_>>()
+    };
+    let is_far = |pointer: &str| (json!("outside_catalogue"), json!(pointer));
+    // kPa in place of Pa, and k_phi in kN/m^(n+2).
+    let soil = json!({
+        "cohesion_pa": 1, "friction_angle_rad": 0.5, "shear_modulus_m": 0.015,
+        "pressure_sinkage": {"law": "bekker", "k_c": 1.4, "k_phi": 820, "n0": 1}
+    });
+    let wheel = json!({"radius_m": 0.2, "width_m": 0.1});
+    let under_load = json!({"wheel": wheel, "soil": soil, "slip": 0.2, "normal_load_n": 500});
+    let k_phi = is_far("/soil/pressure_sinkage/k_phi");
+    for path in ["/v1/forces", "/v1/stress-profile"] {
+        assert!(hinted(path, &under_load).contains(&k_phi), "{path}");
+    }
+    assert!(hinted("/v1/towed", &with(&under_load, json!({"slip": null}))).contains(&k_phi));
+    let rover = json!({"mass_kg": 200, "wheels": {"count": 4, "wheel": wheel}, "soil": soil});
+    assert!(hinted("/v1/vehicle", &rover).contains(&k_phi));
+    let search = json!({
+        "of": "forces", "request": under_load, "maximise": "longitudinal_force_n",
+        "variables": [{"field": "/slip", "from": 0.1, "to": 0.3}]
+    });
+    assert!(hinted("/v1/optimum", &search).contains(&k_phi));
+    let rows = json!({"of": "forces", "request": under_load, "axes": [{"field": "/slip", "values": [0.1, 0.2]}]});
+    let answer = post("/v1/sweep", &rows);
+    assert_eq!(answer.ok()["columns"]["status"], json!(["no_solution", "no_solution"]));
+    assert!(answer.warned_of().contains(&"outside_catalogue".to_owned()));
+    // A request whose fields are wrong is not computed, and a failure without such a value has no hint.
+    assert_eq!(post("/v1/forces", &with(&under_load, json!({"slip": 3}))).problem(422).get("warnings"), None);
+    assert_eq!(
+        post("/v1/forces", &with(&letter(), json!({"sinkage_m": null, "normal_load_n": 1e9}))).problem(422).get("warnings"),
+        None
+    );
+}

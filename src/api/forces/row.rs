@@ -69,6 +69,10 @@ impl ForcesCase {
         if let Some(finding) = unused.finding() {
             tally.finding(finding);
         }
+        // A value in another unit may be the reason why there is no answer.
+        let system = &operation.system;
+        catalogue::outside(&system.wheel, system.soil.params())
+            .for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
         let (motion, point) = match self.point() {
             Ok(found) => found,
             Err(error) => {
@@ -82,9 +86,6 @@ impl ForcesCase {
         columns.for_each(|value| put(value.at(&at)));
         let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
         cautions(operation, &outcome).for_each(|caution| tally.caution(caution));
-        let system = &operation.system;
-        catalogue::outside(&system.wheel, system.soil.params())
-            .for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
         if motion.heading == terramechanics::Heading::Backward {
             tally.finding(Finding::Mirrored {});
         }

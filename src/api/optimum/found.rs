@@ -146,9 +146,10 @@ fn task<R>(sought: &Sought<R>) -> Option<Task> {
 }
 
 fn no_answer<R: Varied>(asked: &mut Asked<'_, R>, evaluations: u32) -> Problem {
-    let reason = asked.first_reason().map_or_else(String::new, |reason| format!(". The first: {reason}"));
+    let (reason, hints) = asked.first_reason();
+    let reason = reason.map_or_else(String::new, |reason| format!(". The first: {reason}"));
     let detail = format!("has no answer at any of {evaluations} points within the bounds{reason}");
-    Problem::Invalid(vec![FieldFault::new("/request", detail)])
+    Problem::Refused(vec![FieldFault::new("/request", detail)], hints)
 }
 
 /// The best point as it is told.

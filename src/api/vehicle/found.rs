@@ -129,7 +129,7 @@ fn cautions(vehicle: &Vehicle, slopes: &[FoundSlope]) -> impl Iterator<Item = Wa
 }
 
 /// What is to be said of the wheels and soils themselves, once.
-fn of_systems(vehicle: &Vehicle) -> Vec<Warning> {
+pub(super) fn of_systems(vehicle: &Vehicle) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = Vec::new();
     for warning in vehicle.params().stations.iter().flat_map(|station| of_system(&station.system)) {
         if !warnings.contains(&warning) {

@@ -78,9 +78,11 @@ impl<'s, R: Varied> Asked<'s, R> {
         (columns, tally.into_warnings(), self.template.assumed().map(<[Assumption]>::to_vec))
     }
 
-    /// Why a point had no answer.
-    pub(super) fn first_reason(&mut self) -> Option<String> {
-        std::mem::take(&mut self.tally).into_warnings().first().map(Warning::detail)
+    /// Why a point had no answer, and what of the request may be meant otherwise.
+    pub(super) fn first_reason(&mut self) -> (Option<String>, Vec<Warning>) {
+        let (hints, reasons): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut self.tally).into_warnings().into_iter().partition(Warning::is_hint);
+        (reasons.first().map(Warning::detail), hints)
     }
 }
 
