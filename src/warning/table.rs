@@ -9,7 +9,7 @@ use terramechanics_uncertainty::Bounds;
 use super::Measure;
 use super::figure::Figure;
 use super::pieces::{BeyondRange, gap_advice, gap_of};
-use super::words::{Reason, counted, listed, listed_in_short, quoted, told_names};
+use super::words::{Reason, counted, in_ruts, listed, listed_in_short, quoted, told_names};
 use crate::catalogue::{CATALOGUE, Outside};
 use crate::quantity::number;
 use crate::quantity::with_unit;
@@ -189,6 +189,29 @@ findings! { many;
         number(*slip)
     ),
     advises "`largest_slope_rad` has the largest slope that the rover climbs.";
+
+    "rut_too_narrow" RutTooNarrow { stations: Vec<(usize, usize)>, ratio: f64 }
+    means "A wheel of a rover is wider than the one in whose rut it runs: which stations, and how much wider. The rut is taken to be as wide as the wheel in it; in truth undisturbed soil carries the wheel beside the rut."
+    about Measure::of("width over that of the wheel ahead", *ratio).in_unit("1").beyond(None, Some(1.0), "the rut that the wheel ahead presses"),
+    field "/stations",
+    names stations.iter().map(|(station, _)| format!("/stations/{station}")).collect(),
+    says format!(
+        "{}, up to {} times as wide, and the rut is taken to be as wide as the wheel in it.",
+        in_ruts(stations, ["is wider than", "are wider than"]),
+        number(*ratio)
+    ),
+    advises "Undisturbed soil beside the rut would carry such a wheel earlier and resist it more: its sinkage is taken too large and its \
+             resistance too small. Compute without `rut` as well; the truth lies between.";
+
+    "rut_of_other_soil" RutOfOtherSoil { stations: Vec<(usize, usize)> }
+    means "A wheel of a rover runs in the rut of one on another soil: which stations. The depth is that which the wheel ahead pressed into its own soil; pressure and strength are those of the follower's."
+    field "/stations",
+    names stations.iter().map(|(station, _)| format!("/stations/{station}")).collect(),
+    says format!(
+        "{}, and the rut is taken to be as deep as there.",
+        in_ruts(stations, ["stands on another soil than", "stand on another soil than"])
+    ),
+    advises "One soil under all wheels of a track is what ruts are meant for. Compute without `rut` as well.";
 
     "slip_beyond_limit" SlipBeyondLimit { slip: f64, limit: f64 }
     means "A rover climbs a slope only with more slip than the limit."

@@ -37,6 +37,19 @@ pub(super) fn listed_in_short(names: &[String]) -> String {
     listed(&told)
 }
 
+/// Which wheels are so to those in whose ruts they run: the verb for one and for several.
+pub(super) fn in_ruts(stations: &[(usize, usize)], [one, several]: [&str; 2]) -> String {
+    match stations {
+        [(station, before)] => format!("the wheel of station {station} {one} that of station {before}, in whose rut it runs"),
+        _ => {
+            let own: Vec<String> = stations.iter().map(|(station, _)| station.to_string()).collect();
+            let ahead: Vec<String> = stations.iter().map(|(_, before)| before.to_string()).collect();
+            let (own, ahead) = (listed(&own), listed(&ahead));
+            format!("the wheels of stations {own} {several} those of stations {ahead}, in whose ruts they run")
+        }
+    }
+}
+
 /// Names as a warning carries them.
 pub(super) fn told_names<T: Into<Cow<'static, str>>>(names: Vec<T>) -> Vec<Cow<'static, str>> {
     names.into_iter().map(Into::into).collect()

@@ -120,7 +120,7 @@ pub use sweep::{SlipSweep, SweepRow};
 pub use towed::Towed;
 pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use vehicle::{
-    CentreOfMass, Drive, Driven, LargestSlope, OnSlope, SlopeLimit, Station, Turning, Unloading, Vehicle, VehicleError,
-    VehicleParams, VehicleWheel,
+    CentreOfMass, Drive, Driven, LargestSlope, OnSlope, SlopeLimit, Station, Turning, UnlikeRut, Unloading, Vehicle,
+    VehicleError, VehicleParams, VehicleWheel,
 };
 pub use wheel::{Wheel, WheelParams};

@@ -1,6 +1,6 @@
 //! A rover on its slopes.
 
-use terramechanics::{Caution, Circles, LargestSlope, OnSlope, SlopeLimit, Vehicle, VehicleError};
+use terramechanics::{Caution, Circles, LargestSlope, OnSlope, SlopeLimit, UnlikeRut, Vehicle, VehicleError};
 
 use super::refusal;
 use super::request::{Slopes, VehicleCase, word};
@@ -60,6 +60,7 @@ pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, P
     warnings.extend(of_largest(&largest));
     warnings.extend(cautions(vehicle, &found));
     warnings.extend(of_systems(vehicle));
+    warnings.extend(of_ruts(vehicle).map(Warning::from));
     warnings.extend(unused.warning());
     let params = vehicle.params();
     let circles = params.stations.first().map_or(Circles::SHEARING, |station| station.system.contact.circles());
@@ -126,6 +127,18 @@ fn cautions(vehicle: &Vehicle, slopes: &[FoundSlope]) -> impl Iterator<Item = Wa
         rows.add(row, of_row.into_iter());
     }
     rows.into_warnings(slopes.len())
+}
+
+/// What is to be said of ruts that are taken for others than they are.
+pub(super) fn of_ruts(vehicle: &Vehicle) -> impl Iterator<Item = Finding> {
+    let stations = |is_meant: fn(&UnlikeRut) -> bool| {
+        let ruts = vehicle.unlike_ruts().filter(is_meant).map(|rut| (rut.station, rut.before));
+        Some(ruts.collect::<Vec<_>>()).filter(|stations| !stations.is_empty())
+    };
+    let ratio = vehicle.unlike_ruts().map(|rut| rut.width_ratio).fold(1.0, f64::max);
+    let narrow = stations(|rut| rut.width_ratio > 1.0).map(|stations| Finding::RutTooNarrow { stations, ratio });
+    let other = stations(|rut| rut.of_other_soil).map(|stations| Finding::RutOfOtherSoil { stations });
+    narrow.into_iter().chain(other)
 }
 
 /// What is to be said of the wheels and soils themselves, once.

@@ -3,7 +3,7 @@
 use terramechanics::VehicleError;
 use terramechanics_reading::FieldFault;
 
-use super::found::FoundSlope;
+use super::found::{FoundSlope, of_ruts};
 use super::refusal;
 use super::reply::{COLUMNS, row};
 use super::request::{Slopes, VehicleCase};
@@ -75,6 +75,7 @@ impl VehicleCase {
             let (wheel, soil) = (&station.system.wheel, station.system.soil.params());
             catalogue::outside(wheel, soil).for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
         }
+        of_ruts(vehicle).for_each(|finding| tally.finding(finding));
         match found.on {
             Ok(on) => {
                 if !climbs {
