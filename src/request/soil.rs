@@ -94,7 +94,8 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     });
     let is_stiff = !needs.granular_stiffness
         || weights.as_ref().is_some_and(|weights| weights.are_enough(object, &preset, (&FRICTION_ANGLE, friction_angle)));
-    let pressure_sinkage = pressure_sinkage(object, &preset, needs);
+    let weight = weights.as_ref().and_then(Weights::unit_weight);
+    let pressure_sinkage = pressure_sinkage(object, &preset, needs, weight);
     let (pressure_sinkage, law) = pressure_sinkage?;
     let params = SoilParams {
         cohesion: cohesion?,
@@ -172,10 +173,12 @@ fn pressure_sinkage(
     object: &Reader<'_>,
     preset: &Preset<SoilRecord>,
     needs: Needs<'_>,
+    unit_weight: Option<f64>,
 ) -> Option<(Option<PressureSinkage>, LawOrigin)> {
     let value = |name: &str| preset.entry.and_then(|record| record.number(name));
     let base = preset.entry.and_then(|record| record.law.as_deref()).map(|form| Base { form, value: &value });
-    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, base.as_ref(), needs.fitted)? {
+    let of_soil = |name: &str| (needs.fitted)(name).or_else(|| unit_weight.filter(|_| name == UNIT_WEIGHT.name));
+    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, base.as_ref(), &of_soil)? {
         let is_whole = base.is_none() || object.names_form(&PRESSURE_SINKAGE);
         let origin = if is_whole { LawOrigin::Request } else { LawOrigin::Overridden };
         return laws::pressure_sinkage(&chosen).map(|law| (Some(law), origin));

@@ -3,7 +3,9 @@
 //! They are told in the answer, for whoever sent one may take the number to depend on it; they are refused only where the method cannot
 //! do what they ask for. What holds without being sent is not told: a default, or what the catalogue has of a preset.
 
-use terramechanics::{Braking, Contact, ExitRule, Lambda, Method, Parameter, PeakRule, ShearLaw, Soil, WheelOnSoil};
+use terramechanics::{
+    Braking, Contact, ExitRule, Lambda, Method, Parameter, PeakRule, PressureSinkage, ShearLaw, Soil, WheelOnSoil,
+};
 use terramechanics_reading::{Defaulting, Either, Faults, Field, OneOf, Reader, Scope, Word};
 
 use super::circles::SHEAR_DISPLACEMENT;
@@ -124,6 +126,10 @@ impl Unused {
         let is_given = soil.params().granular_stiffness.is_some();
         let follows = reads.granular_stiffness && !is_given;
         let takes_modulus = matches!(soil.shear(), Some(ShearLaw::JanosiHanamoto(_)));
+        // Reece's law takes the weight of the soil where it has none of its own.
+        let has_own_weight = sent.within(&soil::PRESSURE_SINKAGE).is_none_or(|law| law.has(&UNIT_WEIGHT));
+        let in_law = reads.laws && !has_own_weight && matches!(soil.pressure_sinkage(), Some(PressureSinkage::Reece(_)));
+        let weighs = reads.side || in_law;
         // No cohesion is what grains have.
         let has_cohesion = soil.cohesion() != 0.0;
         self.add(sent, &soil::COHESION, reads.laws || !has_cohesion);
@@ -131,8 +137,8 @@ impl Unused {
         self.add(sent, &soil::SHEAR_MODULUS, reads.laws && (takes_modulus || reads.side));
         self.add(sent, &soil::PRESSURE_SINKAGE, reads.laws);
         self.add(sent, &soil::LATERAL_SHEAR_MODULUS, reads.side);
-        self.add(sent, &UNIT_WEIGHT, reads.side);
-        self.add(sent, &BULK_DENSITY, follows || reads.side && !sent.has(&UNIT_WEIGHT));
+        self.add(sent, &UNIT_WEIGHT, weighs);
+        self.add(sent, &BULK_DENSITY, follows || weighs && !sent.has(&UNIT_WEIGHT));
         self.add(sent, &GRANULAR_STIFFNESS, reads.granular_stiffness);
         self.add(sent, &soil::SHEAR, reads.laws);
     }

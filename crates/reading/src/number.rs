@@ -21,6 +21,8 @@ pub struct Number {
     open_above: bool,
     whole: bool,
     share: bool,
+    /// Whether it may follow from other fields.
+    pub(crate) follows: bool,
     default: Option<f64>,
 }
 
@@ -29,7 +31,7 @@ impl Number {
     /// one, such as `N/m^(n+1)`, is told as an annotation, in braces, which counts as 1 there.
     #[must_use]
     pub const fn new(unit: &'static str, min: f64, max: f64) -> Self {
-        Self { unit, symbol: "", min, max, open_above: false, whole: false, share: false, default: None }
+        Self { unit, symbol: "", min, max, open_above: false, whole: false, share: false, follows: false, default: None }
     }
 
     /// Any number.
@@ -60,6 +62,13 @@ impl Number {
     #[must_use]
     pub const fn share(self) -> Self {
         Self { share: true, ..self }
+    }
+
+    /// A parameter of a tagged object that may follow from fields elsewhere: the contract does not require it, and that it is absent
+    /// is reported where nothing else has it.
+    #[must_use]
+    pub const fn may_follow(self) -> Self {
+        Self { follows: true, ..self }
     }
 
     /// What holds where the field is left out.

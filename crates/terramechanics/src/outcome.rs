@@ -4,6 +4,7 @@ use crate::caution::{
     BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, COHESION_LEFT_OUT, Caution, DEEP_SINKAGE, INTEGRATION_ERROR,
     INTERFACE_OF_LUGGED_WHEEL, LOAD_RESIDUAL, LOW_GRAVITY, LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, NORMAL_FORCE_DRIFTS,
     PEAK_RULE_SET_ASIDE, RESISTIVE_FORCE_BRAKING, ROUGH_CYLINDER, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
+    UNIT_WEIGHTS_DIFFER,
 };
 use crate::contact::ContactParams;
 use crate::forces::Method;
@@ -49,7 +50,8 @@ impl From<&OperatingPoint> for Outcome {
 /// The cautions that apply to whatever is found of a wheel on a soil.
 pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
     let low = system.soil.gravity().and_then(|gravity| LOW_GRAVITY.of(gravity));
-    [low, LUG_HEIGHT_ASSUMED.when(system.wheel.lug_height_is_assumed())].into_iter().flatten()
+    let contradiction = UNIT_WEIGHTS_DIFFER.of(system.soil.weight_contradiction());
+    [low, contradiction, LUG_HEIGHT_ASSUMED.when(system.wheel.lug_height_is_assumed())].into_iter().flatten()
 }
 
 /// The caution that applies where lugs leave no interface between rim and soil, and the contact has one.
