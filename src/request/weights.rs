@@ -87,7 +87,7 @@ impl Weights {
             return true;
         }
         if bulk_density.is_none() {
-            preset.missing(object, &BULK_DENSITY);
+            preset.missing_or(object, &BULK_DENSITY, "; or give `granular_stiffness_n_m3`");
         }
         let is_smooth = friction.1 == Some(0.0);
         if is_smooth {

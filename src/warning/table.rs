@@ -98,6 +98,12 @@ findings! { many;
     advises "Angles, stresses and slip are those of its mirror image; forces along x and the torque keep the axes of the rover, with x \
              forward, and have changed sign.";
 
+    "at_rest" AtRest {}
+    means "Both velocities are 0: the wheel stands. Its slip is not defined; it is counted as rolling, with slip 0."
+    field "/forward_velocity_m_s",
+    says "both velocities are 0, so that the wheel stands and has no slip; it is counted as 0, that of a rolling wheel.",
+    advises "A wheel that stands gives any pull up to its limits; send the slip of one that moves.";
+
     "not_used" NotUsed { pointers: Vec<String> }
     means "Fields of the request that the method does not read, so that no force depends on them: which, in `names`, as JSON pointers. What a preset has is not told."
     field pointers.first().map_or("", String::as_str),

@@ -358,3 +358,41 @@ fn a_failed_computation_says_which_values_may_be_in_another_unit() {
         None
     );
 }
+
+/// What a newcomer is likely to have meant.
+#[test]
+fn a_fault_names_what_was_probably_meant() {
+    let said = |path: &str, changes: Value, pointer: &str| post(path, &with(&letter(), changes)).fault(pointer);
+    // 1 − v/(rω) = −1.2 has rω/v = 1/2.2, and rω/v − 1 = 1.5 has v/(rω) = 1/2.5.
+    let below = said("/v1/forces", json!({"slip": -1.2}), "/slip");
+    assert!(below.contains("1 − v/(rω)") && below.contains("-0.545"), "{below}");
+    let above = said("/v1/forces", json!({"slip": 1.5}), "/slip");
+    assert!(above.contains("rω/v − 1") && above.ends_with("0.6"), "{above}");
+    let none = said("/v1/forces", json!({"slip": null}), "/slip");
+    assert!(none.contains("`longitudinal_force_n`") && none.contains("`drawbar_coefficient`"), "{none}");
+    let elsewhere = said("/v1/stress-profile", json!({"slip": null}), "/slip");
+    assert!(!elsewhere.contains("drawbar"), "a profile does not solve the slip: {elsewhere}");
+    let density = said(
+        "/v1/forces",
+        json!({"method": "resistive_force", "soil": {"preset": null, "friction_angle_rad": 0.5}}),
+        "/soil/bulk_density_kg_m3",
+    );
+    assert!(density.contains("`granular_stiffness_n_m3`"), "{density}");
+    for (changes, pointer, meant) in [
+        (json!({"SLIP": 0.1}), "/SLIP", "did you mean `slip`?"),
+        (json!({"weight_n": 80}), "/weight_n", "did you mean `normal_load_n`?"),
+        (json!({"wheel": {"diameter_m": 0.4}}), "/wheel/diameter_m", "`radius_m` is half of the diameter"),
+        (json!({"soil": {"Cohesion_Pa": 4}}), "/soil/Cohesion_Pa", "did you mean `cohesion_pa`?"),
+    ] {
+        let said = said("/v1/forces", changes, pointer);
+        assert!(said.contains(meant), "{said}");
+    }
+    let data = json!({"slip": [0.1, 0.2], "sinkage_m": [12, 14], "torque_n_m": [1, 2]});
+    let fit = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "fit": ["shear_modulus_m"], "data": data});
+    assert!(post("/v1/identify", &fit).fault("/data/sinkage_m/0").contains("12 mm are 0.012"));
+    let still = with(&letter(), json!({"slip": null, "forward_velocity_m_s": 0, "angular_velocity_rad_s": 0}));
+    for path in ["/v1/forces", "/v1/stress-profile"] {
+        assert!(post(path, &still).warned_of().contains(&"at_rest".to_owned()), "{path}");
+    }
+    assert!(!post("/v1/forces", &letter()).warned_of().contains(&"at_rest".to_owned()));
+}

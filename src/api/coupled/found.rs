@@ -28,6 +28,6 @@ pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
     let (angles, forces) = known.at(system, motion.slip, *sinkage).map_err(refused)?;
     let forces = forces.heading(motion.heading);
     let circles = system.contact.circles().into();
-    let warnings = of_point(forces.cautions(system, motion.slip, *sinkage), system, motion.heading);
+    let warnings = of_point(forces.cautions(system, motion.slip, *sinkage), system, *motion);
     Ok(FoundCoupled { slip: motion.slip, sinkage: *sinkage, circles, angles, forces, warnings })
 }

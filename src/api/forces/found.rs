@@ -51,7 +51,7 @@ impl FoundForces {
     /// A point that was found, and what is to be said of it.
     fn at(ForcesCase { operation, unused, .. }: &ForcesCase, motion: Motion, point: OperatingPoint) -> Self {
         let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
-        let mut warnings = of_point(cautions(operation, &outcome), &operation.system, motion.heading);
+        let mut warnings = of_point(cautions(operation, &outcome), &operation.system, motion);
         warnings.extend(unused.warning());
         Self { operation: *operation, motion, point, warnings }
     }

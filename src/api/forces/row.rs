@@ -11,7 +11,7 @@ use crate::quantity::{About, Point, PointValue, point_columns};
 use crate::request::error_pointer;
 use crate::request::pull::SlipFrom;
 use crate::varied::{IsSent, RowStatus, Setter, Varied};
-use crate::warning::{Finding, Tally, no_solution};
+use crate::warning::{Finding, Tally, no_solution, of_motion};
 
 impl ForcesCase {
     fn is_sideways(&self) -> bool {
@@ -86,9 +86,7 @@ impl ForcesCase {
         columns.for_each(|value| put(value.at(&at)));
         let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
         cautions(operation, &outcome).for_each(|caution| tally.caution(caution));
-        if motion.heading == terramechanics::Heading::Backward {
-            tally.finding(Finding::Mirrored {});
-        }
+        of_motion(motion).for_each(|finding| tally.finding(finding));
         Ok(())
     }
 }

@@ -36,7 +36,7 @@ fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
         return Err(Error::NotFinite);
     }
     let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
-    let mut warnings = of_point(cautions(operation, &outcome), &operation.system, motion.heading);
+    let mut warnings = of_point(cautions(operation, &outcome), &operation.system, *motion);
     if parted {
         warnings.push(Finding::NoLinearStresses {}.into());
     }

@@ -1,6 +1,6 @@
 //! A wheel that is towed and rolls freely.
 
-use terramechanics::{Heading, Method, Outcome, Towed, cautions};
+use terramechanics::{Method, Motion, Outcome, Towed, cautions};
 
 use super::request::TowedCase;
 use crate::problem::Problem;
@@ -31,7 +31,7 @@ pub(crate) fn towed(TowedCase { operation, load, unused }: &TowedCase) -> Result
         mobilised_share: None,
         standstill_normal: None,
     };
-    let mut warnings = of_point(cautions(operation, &outcome), &operation.system, Heading::Forward);
+    let mut warnings = of_point(cautions(operation, &outcome), &operation.system, Motion::forward(towed.slip));
     let in_grains = operation.model.method == Method::ResistiveForce;
     let granular_stiffness = operation.system.soil.granular_stiffness().filter(|_| in_grains);
     warnings.extend(unused.warning());

@@ -42,7 +42,7 @@ const SLIP_LIMIT: Field<Number> = Field::new(
 );
 const FORWARD_VELOCITY: Field<Number> = Field::new(
     Velocities::FORWARD.name,
-    "Velocity v of the rover (m/s), for the power.",
+    "Velocity v of the rover (m/s), for the power. It is not negative: a rover that backs down drives forward with its stations in the other order, on the slope with the other sign.",
     Number::new("m/s", 0.0, Velocities::FORWARD.most),
 );
 
