@@ -21,6 +21,7 @@ mod extract;
 mod fixed;
 mod http1;
 pub mod in_process;
+mod legible;
 mod limits;
 pub mod log;
 mod metrics;

@@ -13,9 +13,11 @@ use utoipa::ToSchema;
 pub(crate) use self::kind::Kind;
 use crate::coding::{self, UnknownCoding};
 use crate::compute::Stop;
+use crate::legible::legible;
 use crate::request::error_fault;
 use crate::series::SeriesFault;
 use crate::server::Slowest;
+use crate::warning::Warning;
 use terramechanics_reading::FieldFault;
 
 /// Why a request has no answer.
@@ -61,6 +63,8 @@ pub(crate) enum Problem {
     Crawling(Slowest),
     /// The request cannot be computed.
     Invalid(Vec<FieldFault>),
+    /// The request cannot be computed although its fields are each right: why, and what of it may be meant otherwise.
+    Refused(Vec<FieldFault>, Vec<Warning>),
     /// All places for long computations are taken, by work that usually takes so long.
     Busy(Duration),
     /// All places for connections are taken, or the memory for large bodies or answers.
@@ -99,6 +103,10 @@ pub(crate) struct ProblemBody {
     /// For bad input: every fault found.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     errors: Vec<FieldFault>,
+    /// For a computation that failed: values that may be in another unit.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(required = false)]
+    warnings: Vec<Warning>,
     /// For a body that cannot be read: line of the fault, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false)]
@@ -118,6 +126,14 @@ impl Problem {
         Self::Invalid(vec![error_fault(error, sinkage)])
     }
 
+    /// The same with what of the request may be meant otherwise, where it is the request that has no answer.
+    pub(crate) fn hinting(self, hints: impl FnOnce() -> Vec<Warning>) -> Self {
+        match self {
+            Self::Invalid(errors) => Self::Refused(errors, hints()),
+            other => other,
+        }
+    }
+
     pub(crate) fn status(&self) -> StatusCode {
         self.kind().status
     }
@@ -134,7 +150,7 @@ impl Problem {
             Self::SlowBody(_) | Self::Idle(_) | Self::Crawling(_) => &kind::SLOW_BODY,
             Self::TooLarge { .. } => &kind::TOO_LARGE,
             Self::NotJsonType | Self::NotSeriesType | Self::NotRowsType => &kind::MEDIA_TYPE,
-            Self::Invalid(_) => &kind::INVALID,
+            Self::Invalid(_) | Self::Refused(..) => &kind::INVALID,
             Self::Busy(_) | Self::Crowded => &kind::BUSY,
             Self::Late(_) => &kind::LATE,
             Self::TooCostly { .. } => &kind::TOO_COSTLY,
@@ -170,7 +186,7 @@ impl Problem {
             Self::Crawling(slowest) => {
                 format!("the body came at less than {} bytes a second over {} s", slowest.rate, slowest.window.as_secs_f64())
             }
-            Self::Invalid(errors) => match errors.as_slice() {
+            Self::Invalid(errors) | Self::Refused(errors, _) => match errors.as_slice() {
                 [one] if one.pointer.is_empty() => one.detail.clone(),
                 [one] => format!("{}: {}", one.pointer, one.detail),
                 many => format!("{} faults, see errors", many.len()),
@@ -218,9 +234,13 @@ impl From<Problem> for ProblemBody {
             _ => (None, None),
         };
         let detail = problem.detail();
-        let errors = if let Problem::Invalid(errors) = problem { errors } else { Vec::new() };
+        let (errors, warnings) = match problem {
+            Problem::Invalid(errors) => (errors, Vec::new()),
+            Problem::Refused(errors, warnings) => (errors, warnings),
+            _ => (Vec::new(), Vec::new()),
+        };
         let errors = errors.into_iter().map(|fault| FieldFault { detail: legible(&fault.detail), ..fault }).collect();
-        Self { kind, title, status, detail, errors, line, column }
+        Self { kind, title, status, detail, errors, warnings, line, column }
     }
 }
 
@@ -243,37 +263,5 @@ impl IntoResponse for Problem {
             response.headers_mut().insert(ACCEPT_ENCODING, HeaderValue::from_static(coding::TAKEN));
         }
         response
-    }
-}
-
-/// A text of one line that reads from left to right as it was written: what a client sent must not look like something else.
-fn legible(text: &str) -> String {
-    let mut legible = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            // Marks without a width, of direction and between lines, and the tags of Unicode.
-            '\u{61c}'
-            | '\u{200b}'..='\u{200f}'
-            | '\u{2028}'..='\u{202e}'
-            | '\u{2060}'..='\u{206f}'
-            | '\u{feff}'
-            | '\u{e0000}'..='\u{e007f}' => legible.extend(letter.escape_unicode()),
-            _ if letter.is_control() => legible.extend(letter.escape_default()),
-            _ => legible.push(letter),
-        }
-    }
-    legible
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_would_hide_or_turn_a_text_is_escaped() {
-        assert_eq!(legible("a\u{202e}b\n\u{1b}[1m\u{85}"), "a\\u{202e}b\\n\\u{1b}[1m\\u{85}");
-        for plain in ["`n0` is 5 kN/m³", "Schluff, größer", "土", "\"a\\b'"] {
-            assert_eq!(legible(plain), plain);
-        }
     }
 }

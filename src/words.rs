@@ -48,6 +48,9 @@ pub(crate) static HINTS: Hints = Hints {
         ("w", "normal_load_n"),
         ("load", "normal_load_n"),
         ("weight", "normal_load_n"),
+        ("weight_n", "normal_load_n"),
+        ("load_n", "normal_load_n"),
+        ("wheel_load_n", "normal_load_n"),
         ("F_z", "normal_force_n"),
         ("fz", "normal_force_n"),
         ("F_x", "longitudinal_force_n"),
@@ -65,6 +68,8 @@ pub(crate) static HINTS: Hints = Hints {
         ("linear", "linearised"),
     ],
     units: &[
+        unit("diameter_m", "radius_m", "half of the diameter", "a diameter of 0.4 m is a radius of 0.2 m"),
+        unit("diameter", "radius_m", "half of the diameter, in m", "a diameter of 0.4 m is a radius of 0.2 m"),
         unit("_mm", "_m", "in m", "1 mm is 0.001 m"),
         unit("_cm", "_m", "in m", "1 cm is 0.01 m"),
         unit("_kpa", "_pa", "in Pa", "1 kPa is 1000 Pa"),

@@ -10,6 +10,7 @@ use crate::problem::Problem;
 use crate::reply::{Assuming, Reply};
 use crate::request::{Accepted, Request};
 use crate::state::Service;
+use crate::warning::Warning;
 
 /// A checked request that has one reply.
 pub(crate) trait Room: Request {
@@ -31,6 +32,19 @@ pub(crate) trait Room: Request {
     /// # Errors
     /// What the model or the data do not allow, or why the work is to end.
     fn reply(&self, pace: &Pace) -> Result<Self::Reply, Problem>;
+
+    /// What of the request may be meant otherwise, such as values in another unit; a failure to reply carries it.
+    fn hints(&self) -> Vec<Warning> {
+        Vec::new()
+    }
+
+    /// The reply, or why there is none with the hints.
+    ///
+    /// # Errors
+    /// Those of [`reply`](Self::reply).
+    fn reply_or_hints(&self, pace: &Pace) -> Result<Self::Reply, Problem> {
+        self.reply(pace).map_err(|problem| problem.hinting(|| self.hints()))
+    }
 }
 
 /// The reply to a request in the format asked for, computed where its cost has it.
@@ -44,5 +58,5 @@ pub(super) async fn answer<R: Room>(service: &Service, asked: Accepted<R>, forma
         return in_words(reply);
     }
     let cost = case.cost();
-    service.pool().run(cost, move |pace: &Pace| in_words(case.reply(pace)?)).await
+    service.pool().run(cost, move |pace: &Pace| in_words(case.reply_or_hints(pace)?)).await
 }

@@ -62,7 +62,7 @@ pub fn answer(operation: &str, body: &[u8]) -> Result<Vec<u8>, Refused> {
 
 fn of_room<R: Room>(body: &[u8]) -> Result<Vec<u8>, Problem> {
     let Accepted { case, assumed } = read::<R>(body)?;
-    let reply = case.reply(&Pace::at_once())?;
+    let reply = case.reply_or_hints(&Pace::at_once())?;
     Ok(match assumed {
         None => written(&reply),
         Some(assumed) => written(&Assuming::of(reply, assumed)),

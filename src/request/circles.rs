@@ -1,6 +1,6 @@
 //! The circles on which displacement and slip are counted, which lugs part.
 
-use terramechanics::{Circles, ShearDisplacementRadius, SlipRadius};
+use terramechanics::{Circles, Method, ShearDisplacementRadius, SlipRadius};
 use terramechanics_reading::{Field, Group, Reader, Word};
 
 const SHEAR_DISPLACEMENT_WORDS: Word<ShearDisplacementRadius> =
@@ -8,7 +8,7 @@ const SHEAR_DISPLACEMENT_WORDS: Word<ShearDisplacementRadius> =
 const SLIP_WORDS: Word<SlipRadius> =
     Word::new(&[("rim", SlipRadius::Rim), ("shearing", SlipRadius::Shearing), ("lug_tip", SlipRadius::LugTip)]);
 
-const SHEAR_DISPLACEMENT: Field<Word<ShearDisplacementRadius>> = Field::new(
+pub(super) const SHEAR_DISPLACEMENT: Field<Word<ShearDisplacementRadius>> = Field::new(
     "shear_displacement_radius",
     "Circle on which the shear displacement is counted: shearing, the radius r_s where the shear stress acts, or rim, as the letter prints it (erratum 13). Without lugs both are one.",
     SHEAR_DISPLACEMENT_WORDS.or(Circles::SHEARING.shear_displacement),
@@ -34,9 +34,31 @@ pub(crate) fn read(object: &Reader<'_>) -> Option<Circles> {
     Some(Circles { shear_displacement: shear_displacement?, slip: slip? })
 }
 
-/// The words for circles: of the shear displacement and of the slip.
-pub(crate) fn words(circles: Circles) -> (&'static str, &'static str) {
-    (word(&SHEAR_DISPLACEMENT_WORDS, circles.shear_displacement), word(&SLIP_WORDS, circles.slip))
+/// The circles on which a method counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Counted {
+    /// None where the method knows no shear displacement.
+    shear_displacement: Option<ShearDisplacementRadius>,
+    slip: SlipRadius,
+}
+
+impl Counted {
+    /// By `method`; the stresses of dry grains follow from where the rim moves, not from how far it has sheared the soil.
+    pub(crate) fn by(method: &Method, circles: Circles) -> Self {
+        let shear_displacement = (*method != Method::ResistiveForce).then_some(circles.shear_displacement);
+        Self { shear_displacement, slip: circles.slip }
+    }
+}
+
+impl From<Circles> for Counted {
+    fn from(Circles { shear_displacement, slip }: Circles) -> Self {
+        Self { shear_displacement: Some(shear_displacement), slip }
+    }
+}
+
+/// The words for circles: of the shear displacement, where it is counted, and of the slip.
+pub(crate) fn words(Counted { shear_displacement, slip }: Counted) -> (Option<&'static str>, &'static str) {
+    (shear_displacement.map(|circle| word(&SHEAR_DISPLACEMENT_WORDS, circle)), word(&SLIP_WORDS, slip))
 }
 
 fn word<T: Copy + PartialEq>(of: &Word<T>, value: T) -> &'static str {
@@ -51,8 +73,9 @@ mod tests {
     fn every_circle_has_a_word() {
         for shear_displacement in [ShearDisplacementRadius::Shearing, ShearDisplacementRadius::Rim] {
             for slip in [SlipRadius::Rim, SlipRadius::Shearing, SlipRadius::LugTip] {
-                let (of_displacement, of_slip) = words(Circles { shear_displacement, slip });
-                assert!(!of_displacement.is_empty() && !of_slip.is_empty(), "{shear_displacement:?} {slip:?}");
+                let (of_displacement, of_slip) = words(Circles { shear_displacement, slip }.into());
+                let has_words = of_displacement.is_some_and(|word| !word.is_empty()) && !of_slip.is_empty();
+                assert!(has_words, "{shear_displacement:?} {slip:?}");
             }
         }
     }

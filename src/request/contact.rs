@@ -30,7 +30,7 @@ pub(crate) const INTERFACE: Field<&Object> = Field::new(
     "Strength and shear modulus between a bare rim and the soil, for a wheel without lugs; the soil's unless given.",
     &INTERFACE_OBJECT,
 );
-const C3: Field<Number> = own_field(&AngleRatio::C3);
+pub(super) const C3: Field<Number> = own_field(&AngleRatio::C3);
 const C1: Field<Number> = own_field(&WongReece::C1);
 const C2: Field<Number> = own_field(&WongReece::C2);
 

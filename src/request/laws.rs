@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-use terramechanics::{Declared, JanosiHanamoto, Law, Parameter, PressureSinkage, ShearLaw, SlipSinkage};
+use terramechanics::{Declared, JanosiHanamoto, Law, Parameter, PressureSinkage, Reece, ShearLaw, SlipSinkage};
 use terramechanics_reading::{Chosen, Field, Number, Tagged, Variant};
 
 /// What may be sent for a parameter of the model, if something is.
@@ -40,9 +40,15 @@ fn kept(text: String) -> &'static str {
     Box::leak(text.into_boxed_str())
 }
 
+/// Whether a parameter of a law follows from fields of the soil where the law has none of its own: its weight does.
+pub(crate) fn follows(parameter: &Parameter) -> bool {
+    *parameter == Reece::UNIT_WEIGHT
+}
+
 /// The field of a parameter as the model declares it.
 fn declared(parameter: &'static Parameter) -> Field<Number> {
     let kind = number_or_default(parameter).symbol(parameter.symbol);
+    let kind = if follows(parameter) { kind.may_follow() } else { kind };
     Field { kind, required: parameter.is_required(), ..own_field(parameter) }
 }
 

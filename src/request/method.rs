@@ -142,10 +142,13 @@ pub(crate) fn needs_of_all(object: &Reader<'_>, field: &Field<Words<MethodName>>
 pub(crate) fn read(object: &Reader<'_>, peak_depth: Option<PeakDepth>) -> Option<Method> {
     let closed_forms = ClosedForms::read(object, peak_depth);
     let name = object.or_default(&METHOD_FIELD)?;
-    for field in [&LAMBDA_A, &LAMBDA_B].into_iter().filter(|field| name == MethodName::ResistiveForce && object.has(field)) {
-        object.place_of(field).fault("belongs to the method `explicit`; `resistive_force` has no such constant");
-    }
     Some(closed_forms.method(name))
+}
+
+/// The method of a request; what is wrong with it is reported where it is read.
+pub(crate) fn peeked(object: &Reader<'_>) -> Option<Method> {
+    let faults = Faults::new(&HINTS);
+    read(&object.at(Scope::root(&faults)), None)
 }
 
 /// The method, of a request that has one of integrals.

@@ -21,6 +21,7 @@ pub(crate) mod sinkage;
 pub(crate) mod soil;
 pub(crate) mod system;
 pub(crate) mod unknowns;
+pub(crate) mod unused;
 mod weights;
 pub(crate) mod wheel;
 

@@ -4,9 +4,20 @@ use terramechanics::{Circles, Motion, Slip, Velocities, Wheel};
 use terramechanics_reading::{Field, Group, Number, Reader};
 
 use super::laws::{field, number};
+use crate::quantity::number as shown;
 
 /// A slip ratio.
-pub(crate) const RATIO: Number = number(&Slip::RATIO).share();
+pub(crate) const RATIO: Number = number(&Slip::RATIO).share().or_meant(by_other_convention);
+
+/// A slip beyond ±1 is often counted over the other velocity: rω/v − 1 of a driving wheel, 1 − v/(rω) of a braking one.
+fn by_other_convention(slip: f64) -> String {
+    const LARGEST: f64 = 10.0;
+    if !(1.0..=LARGEST).contains(&slip.abs()) {
+        return String::new();
+    }
+    let (counted, here) = if slip > 0.0 { ("rω/v − 1", "1 − v/(rω)") } else { ("1 − v/(rω)", "rω/v − 1") };
+    format!("; or it is counted as {counted}: as {here} it is {}", shown(slip / (1.0 + slip.abs())))
+}
 
 pub(crate) const SLIP: Field<Number> = Field::new(
     Slip::RATIO.name,
@@ -19,6 +30,9 @@ const ANGULAR_VELOCITY: Field<Number> =
     field(&Velocities::ANGULAR, "Angular velocity ω of the wheel (rad/s), positive when it rolls forward.");
 
 pub(crate) const MOTION: Group = &[&SLIP, &FORWARD_VELOCITY, &ANGULAR_VELOCITY];
+
+/// What is said where there is none.
+pub(crate) const REQUIRED: &str = "is required, or both `forward_velocity_m_s` and `angular_velocity_rad_s`";
 
 /// Whether something of a motion was sent, right or wrong.
 pub(crate) fn is_given(object: &Reader<'_>) -> bool {
@@ -43,7 +57,7 @@ pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>, circles: Option<C
             None
         }
         (false, [false, false]) => {
-            object.place_of(&SLIP).fault("is required, or both `forward_velocity_m_s` and `angular_velocity_rad_s`");
+            object.place_of(&SLIP).fault(REQUIRED);
             None
         }
         (false, [there, _]) => {

@@ -82,13 +82,18 @@ impl<E: Entry> Preset<E> {
 
     /// Reports that a field has no value, neither in the request nor published.
     pub(crate) fn missing<K>(&self, object: &Reader<'_>, field: &Field<K>) {
+        self.missing_or(object, field, "");
+    }
+
+    /// The same, with what else may be given, as it continues behind the fault.
+    pub(crate) fn missing_or<K>(&self, object: &Reader<'_>, field: &Field<K>, other: &str) {
         let place = object.place_of(field);
         match self.entry {
             Some(entry) => {
                 let offer = entry.substitute(field.name).map_or_else(String::new, offer);
-                place.fault(format_args!("is required: the catalogue has no published value for `{}`{offer}", entry.id()));
+                place.fault(format_args!("is required: the catalogue has no published value for `{}`{offer}{other}", entry.id()));
             }
-            None if self.is_sound => place.fault("is required"),
+            None if self.is_sound => place.fault(format_args!("is required{other}")),
             None => {}
         }
     }

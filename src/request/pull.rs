@@ -29,6 +29,12 @@ pub(crate) fn read(object: &Reader<'_>, wheel: Option<&Wheel>, circles: Option<C
     let fields = [&LONGITUDINAL_FORCE, &DRAWBAR_COEFFICIENT];
     let given: Vec<_> = fields.into_iter().filter(|field| object.has(field)).collect();
     let values = fields.map(|field| object.optional(field).flatten());
+    if given.is_empty() && !motion::is_given(object) {
+        let [force, coefficient] = fields.map(|field| field.name);
+        let place = object.place_of(&SLIP);
+        place.fault(format_args!("{}; or `{force}` or `{coefficient}`, for which it is solved", motion::REQUIRED));
+        return None;
+    }
     if given.is_empty() {
         return motion::read(object, wheel, circles).map(SlipFrom::Motion);
     }

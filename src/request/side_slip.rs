@@ -9,12 +9,12 @@ const SLIP_ANGLE: Field<Number> = field(
     &SlipAngle::ANGLE,
     "Slip angle β (rad) from the velocity to the heading, positive where the wheel moves to its right; quadrature only. Where it is sent, the answer has the lateral force and its moments; otherwise the wheel goes straight ahead.",
 );
-const SHEAR_COUPLING: Field<Word<ShearCoupling>> = Field::new(
+pub(super) const SHEAR_COUPLING: Field<Word<ShearCoupling>> = Field::new(
     "shear_coupling",
     "Shear stresses along and across the wheel: independent of each other (Ishigami et al.), or coupled into one along the slip velocity (Pavlov & Johnson), which is nearer to the measurements of `/v1/validation`.",
     Word::new(&[("independent", ShearCoupling::Independent), ("coupled", ShearCoupling::Coupled)]).or(ShearCoupling::Independent),
 );
-const BULLDOZING: Field<Word<Bulldozing>> = Field::new(
+pub(super) const BULLDOZING: Field<Word<Bulldozing>> = Field::new(
     "bulldozing",
     "Pressure of the soil on the side wall: full, however small the slip angle (Ishigami et al.), or the share that the sideways displacement has mobilised, which is nearer to the measurements of `/v1/validation`.",
     Word::new(&[("full", Bulldozing::Full), ("mobilised", Bulldozing::Mobilised)]).or(Bulldozing::Full),

@@ -75,11 +75,16 @@ pub(crate) fn is_under_load(object: &Reader<'_>) -> bool {
     object.has(&NORMAL_LOAD) && (object.has(&SINKAGE_M) || object.has(&STATIC_SINKAGE))
 }
 
+/// What a sinkage (m) beyond the radius (m) probably is in metres, as it continues behind the fault.
+pub(crate) fn meant_in_metres(sinkage: f64, radius: f64) -> String {
+    if sinkage >= 1.0 && sinkage / 1000.0 <= radius { in_millimetres(sinkage) } else { String::new() }
+}
+
 /// The sinkage, if it does not exceed the radius of the wheel, where that is known; else the fault is reported.
 pub(crate) fn within_wheel(object: &Reader<'_>, sinkage: f64, wheel: Option<&Wheel>) -> Option<f64> {
     match wheel.map(Wheel::radius) {
         Some(radius) if sinkage > radius => {
-            let meant = if sinkage >= 1.0 && sinkage / 1000.0 <= radius { in_millimetres(sinkage) } else { String::new() };
+            let meant = meant_in_metres(sinkage, radius);
             let error = terramechanics::Error::SinkageOutsideWheel { sinkage, radius };
             object.place_of(&SINKAGE_M).report(sinkage_figures(sinkage, radius), format_args!("{error}{meant}"));
             None

@@ -21,14 +21,14 @@ const PRESET: Field<Lookup<&'static SoilRecord>> = Field::new(
     Lookup { name: Some("SoilPreset"), words: catalogue::soil_ids, find: catalogue::soil },
 );
 pub(crate) const COHESION: Field<Number> = own_field(&Soil::COHESION);
-const FRICTION_ANGLE: Field<Number> = own_field(&Soil::FRICTION_ANGLE);
-const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
-const PRESSURE_SINKAGE: Field<&Tagged> = Field::new(
+pub(super) const FRICTION_ANGLE: Field<Number> = own_field(&Soil::FRICTION_ANGLE);
+pub(super) const SHEAR_MODULUS: Field<Number> = own_field(&JanosiHanamoto::MODULUS);
+pub(super) const PRESSURE_SINKAGE: Field<&Tagged> = Field::new(
     "pressure_sinkage",
     "Pressure–sinkage law. With `law` it replaces the preset's as a whole; without, its values replace those of the preset's law.",
     &laws::PRESSURE_SINKAGE,
 );
-const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
+pub(super) const LATERAL_SHEAR_MODULUS: Field<Number> = own_field(&Soil::LATERAL_SHEAR_MODULUS);
 pub(crate) const SHEAR: Field<&Tagged> = Field::new(
     "shear",
     "Shear law; else the preset's, else janosi_hanamoto with shear_modulus_m. Without `law` its values replace those of the preset's law.",
@@ -95,9 +95,10 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
     });
     let is_stiff = !needs.granular_stiffness
         || weights.as_ref().is_some_and(|weights| weights.are_enough(object, &preset, (&FRICTION_ANGLE, friction_angle)));
+    let weight = weights.as_ref().and_then(Weights::unit_weight);
     let exponent_alone = exponent::alone(object, &preset, needs);
     let pressure_sinkage = match exponent_alone {
-        Some(None) => pressure_sinkage(object, &preset, needs),
+        Some(None) => pressure_sinkage(object, &preset, needs, weight),
         Some(Some(_)) => Some((None, LawOrigin::Absent)),
         None => None,
     };
@@ -179,10 +180,12 @@ fn pressure_sinkage(
     object: &Reader<'_>,
     preset: &Preset<SoilRecord>,
     needs: Needs<'_>,
+    unit_weight: Option<f64>,
 ) -> Option<(Option<PressureSinkage>, LawOrigin)> {
     let value = |name: &str| preset.entry.and_then(|record| record.number(name));
     let base = preset.entry.and_then(|record| record.law.as_deref()).map(|form| Base { form, value: &value });
-    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, base.as_ref(), needs.fitted)? {
+    let of_soil = |name: &str| (needs.fitted)(name).or_else(|| unit_weight.filter(|_| name == UNIT_WEIGHT.name));
+    if let Some(chosen) = object.chosen(&PRESSURE_SINKAGE, base.as_ref(), &of_soil)? {
         let is_whole = base.is_none() || object.names_form(&PRESSURE_SINKAGE);
         let origin = if is_whole { LawOrigin::Request } else { LawOrigin::Overridden };
         return laws::pressure_sinkage(&chosen).map(|law| (Some(law), origin));

@@ -1,6 +1,6 @@
 //! What the soil of a request weighs: its unit weight, density and granular stiffness, and the gravity in which it lies.
 
-use terramechanics::{InvalidInput, Soil, SoilParams};
+use terramechanics::{InvalidInput, STANDARD_GRAVITY, Soil, SoilParams};
 use terramechanics_reading::{Field, Number, Reader};
 
 use super::laws::own_field;
@@ -38,6 +38,13 @@ impl Weights {
             gravity: [gravity?, preset.entry.and_then(SoilRecord::gravity)],
             granular_stiffness: granular_stiffness?,
         })
+    }
+
+    /// Unit weight (N/m³) for a law that has none of its own: the one that was sent, else that of the density here.
+    pub(super) fn unit_weight(&self) -> Option<f64> {
+        let [here, measured] = self.gravity;
+        let gravity = here.or(measured).unwrap_or(STANDARD_GRAVITY);
+        self.unit_weight[0].or_else(|| Some(self.bulk_density? * gravity))
     }
 
     /// The same with the start of a granular stiffness that is fitted and was not sent.
@@ -80,7 +87,7 @@ impl Weights {
             return true;
         }
         if bulk_density.is_none() {
-            preset.missing(object, &BULK_DENSITY);
+            preset.missing_or(object, &BULK_DENSITY, "; or give `granular_stiffness_n_m3`");
         }
         let is_smooth = friction.1 == Some(0.0);
         if is_smooth {

@@ -24,7 +24,7 @@ pub(crate) use table::{Finding, NOTES, Note};
 pub(crate) use tally::Tally;
 pub(crate) use words::{Reason, listed};
 
-use terramechanics::{Caution, Error, Heading, SoilParams, TestedRange, Wheel, WheelOnSoil};
+use terramechanics::{Caution, Error, Heading, Motion, SoilParams, TestedRange, Wheel, WheelOnSoil};
 use terramechanics_reading::Assumption;
 
 use crate::catalogue::{self, Outside};
@@ -99,6 +99,11 @@ impl Warning {
         Self { series, ..self }
     }
 
+    /// Whether it is about what was sent rather than about what came of it.
+    pub(crate) fn is_hint(&self) -> bool {
+        matches!(&self.subject, Subject::Finding(Finding::OutsideCatalogue { .. } | Finding::NotUsed { .. }))
+    }
+
     /// Kind of the warning, for programs.
     pub(crate) fn code(&self) -> &'static str {
         match &self.subject {
@@ -153,10 +158,15 @@ pub(crate) fn of_system(system: &WheelOnSoil) -> impl Iterator<Item = Warning> +
     system_warnings(&system.wheel, system.soil.params())
 }
 
-/// What is to be said of one operating point: the cautions, what is far from the catalogue, and that the wheel moves backwards.
-pub(crate) fn of_point(cautions: impl Iterator<Item = Caution>, system: &WheelOnSoil, heading: Heading) -> Vec<Warning> {
-    let mirrored = (heading == Heading::Backward).then(|| Warning::from(Finding::Mirrored {}));
-    cautions.map(Warning::from).chain(of_system(system)).chain(mirrored).collect()
+/// What is to be said of one operating point: the cautions, what is far from the catalogue, and how the wheel moves.
+pub(crate) fn of_point(cautions: impl Iterator<Item = Caution>, system: &WheelOnSoil, motion: Motion) -> Vec<Warning> {
+    cautions.map(Warning::from).chain(of_system(system)).chain(of_motion(motion).map(Warning::from)).collect()
+}
+
+/// What is to be said of a motion: that the wheel moves backwards, or not at all.
+pub(crate) fn of_motion(motion: Motion) -> impl Iterator<Item = Finding> {
+    let mirrored = (motion.heading == Heading::Backward).then_some(Finding::Mirrored {});
+    mirrored.into_iter().chain(motion.at_rest.then_some(Finding::AtRest {}))
 }
 
 /// What is to be said where values were assumed.

@@ -1,5 +1,7 @@
 //! The table of findings: to add one is to add an entry, and to raise it where it is found.
 
+use std::borrow::Cow;
+
 use terramechanics::Nearest;
 use terramechanics_identification::{DesignGap, StopReason};
 use terramechanics_uncertainty::Bounds;
@@ -7,7 +9,7 @@ use terramechanics_uncertainty::Bounds;
 use super::Measure;
 use super::figure::Figure;
 use super::pieces::{BeyondRange, gap_advice, gap_of};
-use super::words::{Reason, counted, listed, quoted};
+use super::words::{Reason, counted, in_ruts, listed, listed_in_short, quoted, told_names};
 use crate::catalogue::{CATALOGUE, Outside};
 use crate::quantity::number;
 use crate::quantity::with_unit;
@@ -62,8 +64,8 @@ macro_rules! findings {
             }
 
             /// The fields of request or answer that it names.
-            pub(super) fn names(&self) -> Vec<&'static str> {
-                match self { $(Self::$name { $($data),* } => None$(.or(Some($names)))?.unwrap_or_default(),)+ }
+            pub(super) fn names(&self) -> Vec<Cow<'static, str>> {
+                match self { $(Self::$name { $($data),* } => None$(.or(Some(told_names($names))))?.unwrap_or_default(),)+ }
             }
 
             /// The end of the range at which the value lies.
@@ -95,6 +97,23 @@ findings! { many;
     says "the wheel moves backwards.",
     advises "Angles, stresses and slip are those of its mirror image; forces along x and the torque keep the axes of the rover, with x \
              forward, and have changed sign.";
+
+    "at_rest" AtRest {}
+    means "Both velocities are 0: the wheel stands. Its slip is not defined; it is counted as rolling, with slip 0."
+    field "/forward_velocity_m_s",
+    says "both velocities are 0, so that the wheel stands and has no slip; it is counted as 0, that of a rolling wheel.",
+    advises "A wheel that stands gives any pull up to its limits; send the slip of one that moves.";
+
+    "not_used" NotUsed { pointers: Vec<String> }
+    means "Fields of the request that the method does not read, so that no force depends on them: which, in `names`, as JSON pointers. What a preset has is not told."
+    field pointers.first().map_or("", String::as_str),
+    names pointers.clone(),
+    says format!(
+        "the method does not read {}: no force depends on {}.",
+        listed_in_short(pointers),
+        if pointers.len() == 1 { "it" } else { "them" }
+    ),
+    advises "Leave them out, or choose a method that reads them; `/v1/model` says what each needs.";
 
     "outside_catalogue" OutsideCatalogue { outside: Outside }
     means "A value of the wheel or the soil is more than three times beyond the extremes of the catalogue, or a friction angle is beyond them at all. It may be right, or it may be in another unit."
@@ -176,6 +195,29 @@ findings! { many;
         number(*slip)
     ),
     advises "`largest_slope_rad` has the largest slope that the rover climbs.";
+
+    "rut_too_narrow" RutTooNarrow { stations: Vec<(usize, usize)>, ratio: f64 }
+    means "A wheel of a rover is wider than the one in whose rut it runs: which stations, and how much wider. The rut is taken to be as wide as the wheel in it; in truth undisturbed soil carries the wheel beside the rut."
+    about Measure::of("width over that of the wheel ahead", *ratio).in_unit("1").beyond(None, Some(1.0), "the rut that the wheel ahead presses"),
+    field "/stations",
+    names stations.iter().map(|(station, _)| format!("/stations/{station}")).collect(),
+    says format!(
+        "{}, up to {} times as wide, and the rut is taken to be as wide as the wheel in it.",
+        in_ruts(stations, ["is wider than", "are wider than"]),
+        number(*ratio)
+    ),
+    advises "Undisturbed soil beside the rut would carry such a wheel earlier and resist it more: its sinkage is taken too large and its \
+             resistance too small. Compute without `rut` as well; the truth lies between.";
+
+    "rut_of_other_soil" RutOfOtherSoil { stations: Vec<(usize, usize)> }
+    means "A wheel of a rover runs in the rut of one on another soil: which stations. The depth is that which the wheel ahead pressed into its own soil; pressure and strength are those of the follower's."
+    field "/stations",
+    names stations.iter().map(|(station, _)| format!("/stations/{station}")).collect(),
+    says format!(
+        "{}, and the rut is taken to be as deep as there.",
+        in_ruts(stations, ["stands on another soil than", "stand on another soil than"])
+    ),
+    advises "One soil under all wheels of a track is what ruts are meant for. Compute without `rut` as well.";
 
     "slip_beyond_limit" SlipBeyondLimit { slip: f64, limit: f64 }
     means "A rover climbs a slope only with more slip than the limit."

@@ -1,5 +1,7 @@
 //! Warnings as they stand on the wire.
 
+use std::borrow::Cow;
+
 use serde::{Serialize, Serializer};
 use utoipa::openapi::{RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
@@ -54,7 +56,7 @@ struct WarningBody {
     /// Fields of the request or the answer that the finding names, such as the parameters that data do not determine.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schema(required = false)]
-    names: Vec<&'static str>,
+    names: Vec<Cow<'static, str>>,
     /// Field of the request to look at, as a JSON pointer.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(nullable = false, example = "/wheel/radius_m")]

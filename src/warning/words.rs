@@ -1,5 +1,7 @@
 //! Numbers, names and reasons in words, for the sentences of warnings.
 
+use std::borrow::Cow;
+
 use terramechanics::{
     Error, Fault, JanosiHanamoto, Nearest, Parameter, Parametrised, PressureSinkage, Soil, WheelOnSoil, WheelParams,
 };
@@ -22,6 +24,35 @@ pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> String {
 /// Names of fields in a row, each in backticks.
 pub(super) fn quoted(names: &[&str]) -> String {
     listed(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>())
+}
+
+/// The first of many names, each in backticks, and how many more there are.
+pub(super) fn listed_in_short(names: &[String]) -> String {
+    const MOST: usize = 12;
+    let (first, rest) = names.split_at(names.len().min(MOST));
+    let mut told: Vec<String> = first.iter().map(|name| format!("`{name}`")).collect();
+    if !rest.is_empty() {
+        told.push(format!("{} more", rest.len()));
+    }
+    listed(&told)
+}
+
+/// Which wheels are so to those in whose ruts they run: the verb for one and for several.
+pub(super) fn in_ruts(stations: &[(usize, usize)], [one, several]: [&str; 2]) -> String {
+    match stations {
+        [(station, before)] => format!("the wheel of station {station} {one} that of station {before}, in whose rut it runs"),
+        _ => {
+            let own: Vec<String> = stations.iter().map(|(station, _)| station.to_string()).collect();
+            let ahead: Vec<String> = stations.iter().map(|(_, before)| before.to_string()).collect();
+            let (own, ahead) = (listed(&own), listed(&ahead));
+            format!("the wheels of stations {own} {several} those of stations {ahead}, in whose ruts they run")
+        }
+    }
+}
+
+/// Names as a warning carries them.
+pub(super) fn told_names<T: Into<Cow<'static, str>>>(names: Vec<T>) -> Vec<Cow<'static, str>> {
+    names.into_iter().map(Into::into).collect()
 }
 
 /// A count with its noun: `1 row`, `2 rows`.

@@ -159,3 +159,36 @@ fn a_fit_finds_an_interface() {
     let dry = with(&body, json!({"fit": ["interface_adhesion_pa"], "soil": {"cohesion_pa": 0}}));
     assert_eq!(post("/v1/identify", &dry).pointers(), ["/fit/0"]);
 }
+
+/// The soil between lugs shears against soil, so that an interface has no place there; nor has it a say in grains.
+#[test]
+fn an_interface_on_a_wheel_with_lugs_is_warned_of_wherever_it_acts() {
+    const CODE: &str = "interface_of_lugged_wheel";
+    let lugged = with(&of_interface(json!({"adhesion_pa": 0})), json!({"wheel": {"lug_height_m": 0.01}}));
+    let says = |path: &str, body: &Value| post(path, body).warned_of().contains(&CODE.to_owned());
+    let data = json!({"slip": [0.1, 0.2, 0.3], "sinkage_m": [0.02, 0.02, 0.02], "torque_n_m": [4, 5, 6]});
+    let line = with(&data, json!({"normal_force_n": [60, 80, 100], "sinkage_m": [0.02, 0.022, 0.024]}));
+    let bare = json!({"slip": null, "sinkage_m": null});
+    let of = |changes: Value| with(&with(&lugged, bare.clone()), changes);
+    let station = |x: f64| json!({"x_m": x, "wheel": lugged["wheel"]});
+    let rover = json!({
+        "mass_kg": 20, "stations": [station(0.5), station(-0.5)], "soil": lugged["soil"], "contact": lugged["contact"]
+    });
+    for (path, body) in [
+        ("/v1/forces", lugged.clone()),
+        ("/v1/stress-profile", lugged.clone()),
+        ("/v1/slip-sweep", with(&lugged, json!({"slip": [0.1, 0.2]}))),
+        ("/v1/compare", with(&lugged, json!({"slip": [0.1, 0.2]}))),
+        ("/v1/coupled", with(&lugged, json!({"normal_load_n": 100}))),
+        ("/v1/track", of(json!({"static_sinkage_m": 0.02, "columns": {"time_s": [0, 1], "slip": [0.1, 0.2]}}))),
+        ("/v1/identify", of(json!({"fit": ["shear_modulus_m"], "data": data}))),
+        ("/v1/identify", of(json!({"fit": ["cohesion_pa", "friction_angle_rad"], "estimator": "linear", "data": line}))),
+        ("/v1/vehicle", rover),
+    ] {
+        assert!(says(path, &body), "{path} {body}");
+    }
+    assert!(!says("/v1/forces", &with(&lugged, json!({"wheel": {"lug_height_m": 0}}))));
+    assert!(!says("/v1/forces", &with(&lugged, json!({"contact": {"interface": null}}))));
+    let grains = json!({"method": "resistive_force", "soil": {"bulk_density_kg_m3": 1600}});
+    assert!(!says("/v1/forces", &with(&lugged, grains)));
+}

@@ -61,6 +61,7 @@ mod uncertainty;
 mod uncertainty_faults;
 mod uncertainty_posterior;
 mod uncertainty_spread;
+mod unused;
 mod validation;
 mod validation_inputs;
 mod validation_known_load;

@@ -343,3 +343,82 @@ fn the_type_of_a_problem_answers_with_its_meaning() {
     let unknown = get("/problems/bussy").problem(404);
     assert!(unknown["detail"].as_str().expect("words").contains("did you mean `busy`?"), "{unknown}");
 }
+
+/// A value in another unit is often the reason why there is no answer.
+#[test]
+fn a_failed_computation_says_which_values_may_be_in_another_unit() {
+    let hinted = |path: &str, body: &Value| {
+        let problem = post(path, body).problem(422);
+        let warnings = problem["warnings"].as_array().unwrap_or_else(|| panic!("no warnings in {problem}")).clone();
+        let hints = warnings.iter().map(|warning| (warning["code"].clone(), warning["pointer"].clone()));
+        hints.collect::<Vec<_>>()
+    };
+    let is_far = |pointer: &str| (json!("outside_catalogue"), json!(pointer));
+    // kPa in place of Pa, and k_phi in kN/m^(n+2).
+    let soil = json!({
+        "cohesion_pa": 1, "friction_angle_rad": 0.5, "shear_modulus_m": 0.015,
+        "pressure_sinkage": {"law": "bekker", "k_c": 1.4, "k_phi": 820, "n0": 1}
+    });
+    let wheel = json!({"radius_m": 0.2, "width_m": 0.1});
+    let under_load = json!({"wheel": wheel, "soil": soil, "slip": 0.2, "normal_load_n": 500});
+    let k_phi = is_far("/soil/pressure_sinkage/k_phi");
+    for path in ["/v1/forces", "/v1/stress-profile"] {
+        assert!(hinted(path, &under_load).contains(&k_phi), "{path}");
+    }
+    assert!(hinted("/v1/towed", &with(&under_load, json!({"slip": null}))).contains(&k_phi));
+    let rover = json!({"mass_kg": 200, "wheels": {"count": 4, "wheel": wheel}, "soil": soil});
+    assert!(hinted("/v1/vehicle", &rover).contains(&k_phi));
+    let search = json!({
+        "of": "forces", "request": under_load, "maximise": "longitudinal_force_n",
+        "variables": [{"field": "/slip", "from": 0.1, "to": 0.3}]
+    });
+    assert!(hinted("/v1/optimum", &search).contains(&k_phi));
+    let rows = json!({"of": "forces", "request": under_load, "axes": [{"field": "/slip", "values": [0.1, 0.2]}]});
+    let answer = post("/v1/sweep", &rows);
+    assert_eq!(answer.ok()["columns"]["status"], json!(["no_solution", "no_solution"]));
+    assert!(answer.warned_of().contains(&"outside_catalogue".to_owned()));
+    // A request whose fields are wrong is not computed, and a failure without such a value has no hint.
+    assert_eq!(post("/v1/forces", &with(&under_load, json!({"slip": 3}))).problem(422).get("warnings"), None);
+    assert_eq!(
+        post("/v1/forces", &with(&letter(), json!({"sinkage_m": null, "normal_load_n": 1e9}))).problem(422).get("warnings"),
+        None
+    );
+}
+
+/// What a newcomer is likely to have meant.
+#[test]
+fn a_fault_names_what_was_probably_meant() {
+    let said = |path: &str, changes: Value, pointer: &str| post(path, &with(&letter(), changes)).fault(pointer);
+    // 1 − v/(rω) = −1.2 has rω/v = 1/2.2, and rω/v − 1 = 1.5 has v/(rω) = 1/2.5.
+    let below = said("/v1/forces", json!({"slip": -1.2}), "/slip");
+    assert!(below.contains("1 − v/(rω)") && below.contains("-0.545"), "{below}");
+    let above = said("/v1/forces", json!({"slip": 1.5}), "/slip");
+    assert!(above.contains("rω/v − 1") && above.ends_with("0.6"), "{above}");
+    let none = said("/v1/forces", json!({"slip": null}), "/slip");
+    assert!(none.contains("`longitudinal_force_n`") && none.contains("`drawbar_coefficient`"), "{none}");
+    let elsewhere = said("/v1/stress-profile", json!({"slip": null}), "/slip");
+    assert!(!elsewhere.contains("drawbar"), "a profile does not solve the slip: {elsewhere}");
+    let density = said(
+        "/v1/forces",
+        json!({"method": "resistive_force", "soil": {"preset": null, "friction_angle_rad": 0.5}}),
+        "/soil/bulk_density_kg_m3",
+    );
+    assert!(density.contains("`granular_stiffness_n_m3`"), "{density}");
+    for (changes, pointer, meant) in [
+        (json!({"SLIP": 0.1}), "/SLIP", "did you mean `slip`?"),
+        (json!({"weight_n": 80}), "/weight_n", "did you mean `normal_load_n`?"),
+        (json!({"wheel": {"diameter_m": 0.4}}), "/wheel/diameter_m", "`radius_m` is half of the diameter"),
+        (json!({"soil": {"Cohesion_Pa": 4}}), "/soil/Cohesion_Pa", "did you mean `cohesion_pa`?"),
+    ] {
+        let said = said("/v1/forces", changes, pointer);
+        assert!(said.contains(meant), "{said}");
+    }
+    let data = json!({"slip": [0.1, 0.2], "sinkage_m": [12, 14], "torque_n_m": [1, 2]});
+    let fit = json!({"wheel": {"preset": "letter"}, "soil": {"preset": "letter-sand"}, "fit": ["shear_modulus_m"], "data": data});
+    assert!(post("/v1/identify", &fit).fault("/data/sinkage_m/0").contains("12 mm are 0.012"));
+    let still = with(&letter(), json!({"slip": null, "forward_velocity_m_s": 0, "angular_velocity_rad_s": 0}));
+    for path in ["/v1/forces", "/v1/stress-profile"] {
+        assert!(post(path, &still).warned_of().contains(&"at_rest".to_owned()), "{path}");
+    }
+    assert!(!post("/v1/forces", &letter()).warned_of().contains(&"at_rest".to_owned()));
+}

@@ -123,16 +123,13 @@ fn what_the_method_lacks_is_named() {
 
 #[test]
 fn what_the_method_does_not_take_is_refused_where_it_stands() {
-    for (changes, pointer) in [
-        (json!({"slip_angle_rad": 0.1}), "/slip_angle_rad"),
-        (json!({"slip": -0.2, "braking": "two_zone"}), "/braking"),
-        (json!({"lambda_a": 0.5}), "/lambda_a"),
-        (json!({"lambda_b": "exact"}), "/lambda_b"),
-    ] {
+    for (changes, pointer) in
+        [(json!({"slip_angle_rad": 0.1}), "/slip_angle_rad"), (json!({"slip": -0.2, "braking": "two_zone"}), "/braking")]
+    {
         assert_eq!(post("/v1/forces", &grains(changes)).pointers(), [pointer]);
     }
     let all = json!({"slip": -0.2, "slip_angle_rad": 0.1, "braking": "two_zone", "lambda_a": 0.5, "lambda_b": 0});
-    assert_eq!(post("/v1/forces", &grains(all)).pointers(), ["/lambda_a", "/lambda_b", "/slip_angle_rad", "/braking"]);
+    assert_eq!(post("/v1/forces", &grains(all)).pointers(), ["/slip_angle_rad", "/braking"]);
     let load = json!({"slip": null, "sinkage_m": null, "normal_load_n": 100, "braking": "two_zone"});
     assert_eq!(post("/v1/towed", &grains(load)).pointers(), ["/braking"]);
     assert_eq!(post("/v1/stress-profile", &grains(json!({"braking": "two_zone"}))).pointers(), ["/braking"]);
@@ -145,16 +142,22 @@ fn what_the_method_does_not_take_is_refused_where_it_stands() {
 
 #[test]
 fn braking_cohesion_and_lugs_are_warned_of() {
-    let warned = |changes: Value| post("/v1/forces", &grains(changes)).warned_of();
+    let bare = grains(json!({"soil": {"friction_angle_rad": null}}));
+    let warned = |changes: Value| post("/v1/forces", &with(&bare, changes)).warned_of();
     assert!(warned(json!({})).is_empty());
     for (changes, code) in [
         (json!({"slip": -0.1}), "driving_only"),
-        (json!({"soil": {"cohesion_pa": 1000}}), "cohesion_left_out"),
         (json!({"wheel": {"lug_height_m": 0.01}}), "rough_cylinder"),
         (json!({"soil": {"gravity_m_s2": 1.62}}), "low_gravity"),
-        (json!({"soil": {"bulk_density_kg_m3": 1.6}}), "outside_catalogue"),
     ] {
         assert_eq!(warned(changes), [code]);
+    }
+    // What is beside a stiffness that is given is not used either.
+    for (changes, code) in [
+        (json!({"soil": {"cohesion_pa": 1000}}), "cohesion_left_out"),
+        (json!({"soil": {"bulk_density_kg_m3": 1.6}}), "outside_catalogue"),
+    ] {
+        assert_eq!(warned(changes), [code, "not_used"]);
     }
 }
 
@@ -241,7 +244,7 @@ fn a_towed_wheel_takes_no_torque_in_grains() {
     assert!((number(&reply, "towing_resistance_n") + pull).abs() < SOLVED * 100.0);
     assert_eq!(number(&reply, "granular_stiffness_n_m3"), 2e6);
     let codes: Vec<&Value> = reply["warnings"].as_array().expect("warnings").iter().map(|warning| &warning["code"]).collect();
-    assert_eq!(codes, ["driving_only"]);
+    assert_eq!(codes, ["driving_only", "not_used"]); // the friction angle, beside a stiffness that is given
 }
 
 #[test]

@@ -105,3 +105,34 @@ fn the_catalogue_shows_densities_and_gravity_and_its_soils_can_be_sent() {
     let lunar = get("/v1/soils/lunar-apollo-nominal").ok();
     assert_eq!((&lunar["soil"]["gravity_m_s2"], &lunar["soil"]["bulk_density_kg_m3"]), (&json!(1.62), &json!(1500.0)));
 }
+
+/// Reece's law needs a unit weight: the soil's, which is density times gravity where only these are known.
+#[test]
+fn a_law_takes_its_unit_weight_from_the_soil() {
+    let forces = |soil: Value, law: Value| {
+        let law = with(&json!({"law": "reece", "k_c": 10, "k_phi": 80, "n0": 1}), law);
+        let own = json!({"cohesion_pa": 200, "friction_angle_rad": 0.5, "shear_modulus_m": 0.01, "pressure_sinkage": law});
+        post(
+            "/v1/forces",
+            &json!({
+                "wheel": {"radius_m": 0.2, "width_m": 0.1}, "soil": with(&own, soil), "slip": 0.2, "sinkage_m": 0.02
+            }),
+        )
+    };
+    let modulus = |answer: crate::asking::Answer| number(&answer.ok(), "sinkage_modulus");
+    let of = |weight: f64| modulus(forces(json!({}), json!({"unit_weight_n_m3": weight})));
+    let is_same = |one: f64, other: f64| (one / other - 1.0).abs() < ROUNDING;
+    let moon = json!({"bulk_density_kg_m3": 1500, "gravity_m_s2": 1.6});
+    assert!(is_same(modulus(forces(moon.clone(), json!({}))), of(2400.0)));
+    assert!(is_same(modulus(forces(json!({"bulk_density_kg_m3": 1500}), json!({}))), of(1500.0 * 9.80665)));
+    assert!(is_same(modulus(forces(json!({"unit_weight_n_m3": 15e3}), json!({}))), of(15e3)));
+    assert!(is_same(modulus(forces(moon.clone(), json!({"unit_weight_n_m3": 2500}))), of(2500.0)), "its own comes first");
+    let lacking = forces(json!({}), json!({}));
+    assert_eq!(lacking.pointers(), ["/soil/pressure_sinkage/unit_weight_n_m3"]);
+
+    let told = |soil: Value, law: Value| forces(soil, law).warned_of().contains(&"unit_weights_differ".to_owned());
+    assert!(!told(moon.clone(), json!({})));
+    assert!(!told(moon.clone(), json!({"unit_weight_n_m3": 2500})), "1 part in 24 may be rounding");
+    assert!(told(moon.clone(), json!({"unit_weight_n_m3": 15e3})), "a weight of the Earth");
+    assert!(told(with(&moon, json!({"unit_weight_n_m3": 15e3})), json!({})));
+}

@@ -168,7 +168,10 @@ fn stations_may_have_soils_of_their_own() {
         body["stations"][station]["soil"] = soft.clone();
     }
     let without = with(&body, json!({"soil": null}));
-    assert_eq!(post("/v1/vehicle", &without).ok(), post("/v1/vehicle", &body).ok());
+    let shared = post("/v1/vehicle", &body);
+    assert!(shared.warned_of().contains(&"not_used".to_owned()), "no wheel stands on it");
+    let but_told = |answer: Value| with(&answer, json!({"warnings": null}));
+    assert_eq!(but_told(post("/v1/vehicle", &without).ok()), but_told(shared.ok()));
     body["stations"][3]["soil"] = Value::Null;
     assert_eq!(
         post("/v1/vehicle", &with(&body, json!({"soil": null}))).fault("/soil"),
@@ -186,6 +189,36 @@ fn gravity_is_that_of_the_soil_unless_given() {
     assert_eq!(number(&post("/v1/vehicle", &without).ok(), "gravity_m_s2"), 9.80665);
     let moon = peer(json!({}));
     assert!(post("/v1/vehicle", &moon).warned_of().contains(&"low_gravity".to_owned()));
+}
+
+/// A rut is taken to be as wide as the wheel in it and of its soil; where that is not so it is told, and where.
+#[test]
+fn ruts_of_other_wheels_and_soils_are_told() {
+    let told = |body: &Value, code: &str| {
+        let answer = post("/v1/vehicle", body).ok();
+        let warnings = answer["warnings"].as_array().expect("warnings").clone();
+        warnings.into_iter().find(|warning| warning["code"] == code)
+    };
+    let mut body = on_stations(json!({"rut": true}));
+    for code in ["rut_too_narrow", "rut_of_other_soil"] {
+        assert_eq!(told(&body, code), None);
+    }
+    body["stations"][4]["wheel"]["width_m"] = json!(0.09);
+    let narrow = told(&body, "rut_too_narrow").expect("a wider follower");
+    assert_eq!((&narrow["names"], number(&narrow, "value")), (&json!(["/stations/4"]), 0.09 / 0.06));
+    assert_eq!(number(&narrow["range"], "upper"), 1.0);
+    assert_eq!(told(&body, "rut_of_other_soil"), None);
+    let apart = with(&body, json!({"rut": false}));
+    assert_eq!(told(&apart, "rut_too_narrow"), None);
+    // A narrower follower fits, and so does one of another radius.
+    body["stations"][4]["wheel"] = json!({"radius_m": 0.12, "width_m": 0.05});
+    assert_eq!(told(&body, "rut_too_narrow"), None);
+    body["stations"][3]["soil"] = with(&body["soil"], json!({"cohesion_pa": 900}));
+    let other = told(&body, "rut_of_other_soil").expect("another soil");
+    assert_eq!(other["names"], json!(["/stations/3", "/stations/5"]), "station 3 behind 1, and 5 behind 3");
+    let grid = json!({"of": "vehicle", "request": body, "axes": [{"field": "/mass_kg", "values": [20, 21]}]});
+    let swept = post("/v1/sweep", &grid).warned_of();
+    assert!(swept.contains(&"rut_of_other_soil".to_owned()), "{swept:?}");
 }
 
 #[test]

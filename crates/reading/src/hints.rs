@@ -55,6 +55,9 @@ impl Hints {
         if let Some(meant) = self.meant(&word) {
             return known.iter().copied().find(|candidate| *candidate == meant);
         }
+        if let Some(same) = known.iter().copied().find(|candidate| candidate.eq_ignore_ascii_case(&word)) {
+            return Some(same);
+        }
         /// A letter or two are in, or near to, too many names.
         const SHORTEST: usize = 3;
         let length = word.chars().count();
@@ -171,6 +174,8 @@ mod tests {
             assert_eq!(HINTS.nearest(word, known), None, "{word}");
         }
         let methods = ["quadrature", "linearised", "explicit"];
+        assert_eq!(HINTS.nearest("EXPLICIT", &methods), Some("explicit"));
+        assert_eq!(HINTS.nearest("N0", &LAW), Some("n0"));
         assert_eq!(HINTS.nearest("exact", &methods), Some("quadrature"));
         assert_eq!(HINTS.nearest("linearized", &methods), Some("linearised"));
     }

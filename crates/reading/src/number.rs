@@ -11,7 +11,7 @@ use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, SchemaTy
 use crate::fault::{Figures, Scope};
 
 /// A number with a unit and bounds.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Number {
     unit: &'static str,
     symbol: &'static str,
@@ -21,6 +21,10 @@ pub struct Number {
     open_above: bool,
     whole: bool,
     share: bool,
+    /// Whether it may follow from other fields.
+    pub(crate) follows: bool,
+    /// What else may be meant by a number that is out of bounds.
+    hint: Option<fn(f64) -> String>,
     default: Option<f64>,
 }
 
@@ -29,7 +33,18 @@ impl Number {
     /// one, such as `N/m^(n+1)`, is told as an annotation, in braces, which counts as 1 there.
     #[must_use]
     pub const fn new(unit: &'static str, min: f64, max: f64) -> Self {
-        Self { unit, symbol: "", min, max, open_above: false, whole: false, share: false, default: None }
+        Self {
+            unit,
+            symbol: "",
+            min,
+            max,
+            open_above: false,
+            whole: false,
+            share: false,
+            follows: false,
+            hint: None,
+            default: None,
+        }
     }
 
     /// Any number.
@@ -60,6 +75,19 @@ impl Number {
     #[must_use]
     pub const fn share(self) -> Self {
         Self { share: true, ..self }
+    }
+
+    /// With what else may be meant by a number that is out of bounds, as it continues behind the fault.
+    #[must_use]
+    pub const fn or_meant(self, hint: fn(f64) -> String) -> Self {
+        Self { hint: Some(hint), ..self }
+    }
+
+    /// A parameter of a tagged object that may follow from fields elsewhere: the contract does not require it, and that it is absent
+    /// is reported where nothing else has it.
+    #[must_use]
+    pub const fn may_follow(self) -> Self {
+        Self { follows: true, ..self }
     }
 
     /// What holds where the field is left out.
@@ -144,7 +172,8 @@ impl Number {
 
     /// The number that was probably meant by one that is out of bounds, in words.
     fn meant_by(&self, value: f64) -> String {
-        match self.unit {
+        let also = self.hint.map_or_else(String::new, |hint| hint(value));
+        let meant = match self.unit {
             "rad" if value.abs() <= 180.0 && self.allows(value.to_radians()) => {
                 format!("; it is in radians: {value}° are {:.4}", value.to_radians())
             }
@@ -153,7 +182,8 @@ impl Number {
                 format!("; it is a share: {value} % are {}", value / 100.0)
             }
             _ => String::new(),
-        }
+        };
+        meant + &also
     }
 
     /// Its unit as a UCUM code; none where one number stands for several of different units.

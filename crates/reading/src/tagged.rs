@@ -140,7 +140,7 @@ impl Tagged {
             .required(self.tag);
         for field in variant.fields.iter() {
             object = object.property(field.name, field.kind.schema(field.meaning));
-            if field.required {
+            if field.required && !field.kind.follows {
                 object = object.required(field.name);
             }
         }

@@ -24,7 +24,7 @@ use crate::contact::Angles;
 use crate::error::Error;
 use crate::forces::{NormalStressRadius, ShapeIntegrals};
 use crate::motion::Heading;
-use crate::outcome::system_cautions;
+use crate::outcome::{interface_caution, system_cautions};
 use crate::patch::ContactPatch;
 use crate::pull_from_torque::{CoupledForces, pull_from_torque, torque_against_slip};
 use crate::rolling::{Rolling, WheelOnSoil};
@@ -170,7 +170,10 @@ impl CoupledForces {
 /// What is to be taken with care of the coupled forms at this sinkage (m) and, where it is known, this slip, whatever load and torque
 /// are.
 pub(crate) fn coupled_cautions(system: &WheelOnSoil, slip: Option<Slip>, sinkage: f64) -> impl Iterator<Item = Caution> + use<> {
-    let beyond = slip.and_then(|slip| SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio()));
-    let own = [DEEP_SINKAGE.of(sinkage / system.wheel.radius()), beyond];
+    let own = [
+        DEEP_SINKAGE.of(sinkage / system.wheel.radius()),
+        slip.and_then(|slip| SLIP_BEYOND_COUPLED_TESTS.of(slip.ratio())),
+        interface_caution(&system.wheel, system.contact.params()),
+    ];
     own.into_iter().flatten().chain(system_cautions(system))
 }

@@ -100,7 +100,7 @@ pub use load::CarriedLoad;
 pub use motion::{Heading, Motion, Velocities};
 pub use operating_point::{KnownSinkage, NormalStressFrom, OperatingPoint, Sinkage};
 pub use operation::Operation;
-pub use outcome::{Outcome, cautions, system_cautions};
+pub use outcome::{Outcome, cautions, interface_caution, system_cautions};
 pub use parameter::{Parameter, Parametrised, Presence, Requirement};
 pub use patch::ContactPatch;
 pub use pressure_sinkage::*;
@@ -120,7 +120,7 @@ pub use sweep::{SlipSweep, SweepRow};
 pub use towed::Towed;
 pub use track::{CautionTally, Channel, CulpritTally, Measured, Sample, SampleMotion, Status, Tally, TrackRow, Tracker};
 pub use vehicle::{
-    CentreOfMass, Drive, Driven, LargestSlope, OnSlope, SlopeLimit, Station, Turning, Unloading, Vehicle, VehicleError,
-    VehicleParams, VehicleWheel,
+    CentreOfMass, Drive, Driven, LargestSlope, OnSlope, SlopeLimit, Station, Turning, UnlikeRut, Unloading, Vehicle,
+    VehicleError, VehicleParams, VehicleWheel,
 };
 pub use wheel::{Wheel, WheelParams};

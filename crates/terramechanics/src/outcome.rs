@@ -1,10 +1,12 @@
 //! When does a result leave the range in which its model was tested?
 
 use crate::caution::{
-    BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, COHESION_LEFT_OUT, Caution, DEEP_SINKAGE, INTEGRATION_ERROR, LOAD_RESIDUAL,
-    LOW_GRAVITY, LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, MODULUS_UNLIKE_SOIL, NORMAL_FORCE_DRIFTS, PEAK_RULE_SET_ASIDE,
-    RESISTIVE_FORCE_BRAKING, ROUGH_CYLINDER, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT, SLIP_GAIN_EXTRAPOLATED,
+    BULLDOZING_LEFT_OUT, BULLDOZING_NOT_MOBILISED, COHESION_LEFT_OUT, Caution, DEEP_SINKAGE, INTEGRATION_ERROR,
+    INTERFACE_OF_LUGGED_WHEEL, LOAD_RESIDUAL, LOW_GRAVITY, LUG_HEIGHT_ASSUMED, MODULI_OF_OTHER_GRAVITY, MODULUS_UNLIKE_SOIL,
+    NORMAL_FORCE_DRIFTS, PEAK_RULE_SET_ASIDE, RESISTIVE_FORCE_BRAKING, ROUGH_CYLINDER, SLIP_BEYOND_FIT, SLIP_BEYOND_OWN_FIT,
+    SLIP_GAIN_EXTRAPOLATED, UNIT_WEIGHTS_DIFFER,
 };
+use crate::contact::ContactParams;
 use crate::forces::Method;
 use crate::lateral::Bulldozing;
 use crate::operating_point::{NormalStressFrom, OperatingPoint, Sinkage};
@@ -12,6 +14,7 @@ use crate::operation::Operation;
 use crate::pressure_sinkage::{PressureCurve, PressureSinkage};
 use crate::rolling::WheelOnSoil;
 use crate::slip::Slip;
+use crate::wheel::Wheel;
 
 /// What a caution is judged by, besides the operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +53,14 @@ impl From<&OperatingPoint> for Outcome {
 /// The cautions that apply to whatever is found of a wheel on a soil.
 pub fn system_cautions(system: &WheelOnSoil) -> impl Iterator<Item = Caution> + use<> {
     let low = system.soil.gravity().and_then(|gravity| LOW_GRAVITY.of(gravity));
-    [low, LUG_HEIGHT_ASSUMED.when(system.wheel.lug_height_is_assumed())].into_iter().flatten()
+    let contradiction = UNIT_WEIGHTS_DIFFER.of(system.soil.weight_contradiction());
+    [low, contradiction, LUG_HEIGHT_ASSUMED.when(system.wheel.lug_height_is_assumed())].into_iter().flatten()
+}
+
+/// The caution that applies where lugs leave no interface between rim and soil, and the contact has one.
+#[must_use]
+pub fn interface_caution(wheel: &Wheel, contact: &ContactParams) -> Option<Caution> {
+    INTERFACE_OF_LUGGED_WHEEL.when(wheel.lug_height() > 0.0 && contact.interface.is_some())
 }
 
 /// The cautions that apply where the pressure–sinkage law is used.
@@ -143,6 +153,7 @@ pub(crate) fn cautions_with_sinkage(
         LOAD_RESIDUAL.of(residual),
         drift,
         unlike,
+        if in_grains { None } else { interface_caution(&system.wheel, system.contact.params()) },
     ];
     let across = side_cautions(operation, outcome);
     let grains = grain_cautions(operation, outcome);

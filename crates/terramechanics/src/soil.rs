@@ -172,6 +172,19 @@ impl Soil {
         self.unit_weight.or_else(|| Some(self.params.bulk_density? * self.gravity_or_standard()))
     }
 
+    /// By how much a unit weight that is given, its own or the one in Reece's law, exceeds ρ g, over the latter; that of the two which
+    /// is further off, and 0 where there is nothing to compare.
+    pub(crate) fn weight_contradiction(&self) -> f64 {
+        let Some(density) = self.params.bulk_density else { return 0.0 };
+        let in_the_law = match self.params.pressure_sinkage {
+            Some(PressureSinkage::Reece(law)) => Some(law.unit_weight),
+            _ => None,
+        };
+        let off = |weight: Option<f64>| weight.map_or(0.0, |weight| weight / (density * self.gravity_or_standard()) - 1.0);
+        let (own, of_law) = (off(self.params.unit_weight), off(in_the_law));
+        if of_law.abs() > own.abs() { of_law } else { own }
+    }
+
     /// Shear deformation modulus across the direction of travel (m): its own, else the displacement by which the shear law
     /// scales (K for Janosi–Hanamoto); none where neither is known.
     #[must_use]

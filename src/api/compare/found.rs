@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use terramechanics::{Circles, NormalStressFrom, Operation, Slip};
+use terramechanics::{NormalStressFrom, Operation, Slip};
 
 use super::difference::{Difference, Spread};
 use super::request::{CompareCase, Variation};
@@ -10,6 +10,8 @@ use crate::api::slip_sweep::{FoundSweep, SweepCase, sweep};
 use crate::compute::{Pace, Stop};
 use crate::quantity::PointColumns;
 use crate::reply::method_name;
+use crate::request::circles::Counted;
+use crate::request::unused::Unused;
 use crate::warning::{Warning, gathered};
 
 /// The request as it stands and its variants, each by several methods.
@@ -26,7 +28,7 @@ pub(super) struct FoundSeries {
     /// Name of the variant; none of the request as it stands.
     pub(super) variant: Option<String>,
     pub(super) method: &'static str,
-    pub(super) circles: Circles,
+    pub(super) circles: Counted,
     pub(super) normal_stress_from: NormalStressFrom,
     pub(super) columns: PointColumns,
     /// By column: the difference from the first series.
@@ -39,10 +41,11 @@ pub(super) struct FoundSeries {
 ///
 /// # Errors
 /// [`Stop`], where the work is to end.
-pub(super) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pace) -> Result<FoundComparison, Stop> {
+pub(super) fn compare(CompareCase { variations, slips, unused }: &CompareCase, pace: &Pace) -> Result<FoundComparison, Stop> {
     // Only the columns of a sweep are kept: they are smaller than its points.
     let columns_of = |operation: Operation| {
-        let FoundSweep { operation, sweep, warnings } = sweep(&SweepCase { operation, slips: slips.clone() }, pace)?;
+        let FoundSweep { operation, sweep, warnings } =
+            sweep(&SweepCase { operation, slips: slips.clone(), unused: Unused::default() }, pace)?;
         Ok::<_, Stop>((PointColumns::of(&sweep, &operation, false), warnings))
     };
     let mut told: Vec<(String, Vec<Warning>)> = Vec::new();
@@ -65,7 +68,7 @@ pub(super) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pa
             series.push(FoundSeries {
                 variant: variant.clone(),
                 method,
-                circles: operation.system.contact.circles(),
+                circles: Counted::by(&operation.model.method, operation.system.contact.circles()),
                 normal_stress_from: operation.sinkage.normal_stress_from(),
                 columns,
                 difference,
@@ -73,7 +76,8 @@ pub(super) fn compare(CompareCase { variations, slips }: &CompareCase, pace: &Pa
             });
         }
     }
-    Ok(FoundComparison { slips: slips.clone(), spread: spread(&series), series, warnings: gathered(told) })
+    let warnings = gathered(told).into_iter().chain(unused.warning()).collect();
+    Ok(FoundComparison { slips: slips.clone(), spread: spread(&series), series, warnings })
 }
 
 /// The differences of columns from a reference, by name.

@@ -34,9 +34,9 @@ struct Series {
     /// Name of the variant; null for the request as it stands.
     variant: Option<String>,
     method: &'static str,
-    /// Circle on which the shear displacement was counted: shearing or rim.
-    #[schema(example = "shearing")]
-    shear_displacement_radius: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim; null where the method counts none.
+    #[schema(required = true, example = "shearing")]
+    shear_displacement_radius: Option<&'static str>,
     /// Circle on which the slip was counted: rim, shearing or lug_tip.
     #[schema(example = "rim")]
     slip_radius: &'static str,

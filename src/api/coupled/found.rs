@@ -1,9 +1,10 @@
 //! Torque and pull from a load that is measured.
 
-use terramechanics::{Angles, Circles, CoupledForces, Heading, Sinkage, Slip};
+use terramechanics::{Angles, CoupledForces, Motion, Sinkage, Slip};
 
 use super::request::CoupledCase;
 use crate::problem::Problem;
+use crate::request::circles::Counted;
 use crate::warning::{Warning, of_point};
 
 /// What follows from the load, and from the torque where that is measured.
@@ -11,7 +12,7 @@ pub(crate) struct FoundCoupled {
     /// None where it was not sent.
     pub(crate) slip: Option<Slip>,
     pub(crate) sinkage: f64,
-    pub(crate) circles: Circles,
+    pub(crate) circles: Counted,
     pub(crate) angles: Angles,
     /// In the heading of the wheel.
     pub(crate) forces: CoupledForces,
@@ -25,13 +26,13 @@ pub(crate) struct FoundCoupled {
 pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
     let CoupledCase { system, motion, sinkage, known } = case;
     let refused = |error| Problem::refused(&error, &Sinkage::Given(*sinkage));
-    let (slip, heading) = (motion.map(|motion| motion.slip), motion.map_or(Heading::Forward, |motion| motion.heading));
-    // Without a slip the contact is the same at any.
-    let (angles, forces) = known.at(system, slip.unwrap_or(Slip::ROLLING), *sinkage).map_err(refused)?;
+    // Without a slip the contact is the same at any, and the wheel moves forward.
+    let (slip, moving) = (motion.map(|motion| motion.slip), motion.unwrap_or(Motion::forward(Slip::ROLLING)));
+    let (angles, forces) = known.at(system, moving.slip, *sinkage).map_err(refused)?;
     // What is told of a torque against the slip is of the wheel that moves forward.
     let cautions = forces.cautions(system, slip, *sinkage);
-    let forces = forces.heading(heading);
-    let circles = system.contact.circles();
-    let warnings = of_point(cautions, system, heading);
+    let forces = forces.heading(moving.heading);
+    let circles = system.contact.circles().into();
+    let warnings = of_point(cautions, system, moving);
     Ok(FoundCoupled { slip, sinkage: *sinkage, circles, angles, forces, warnings })
 }

@@ -14,6 +14,7 @@ use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::state::Service;
+use crate::warning::{Warning, of_system};
 use reply::CoupledReply;
 pub(crate) use request::CoupledCase;
 use request::CoupledRequest;
@@ -33,6 +34,10 @@ impl Room for CoupledCase {
 
     fn reply(&self, _: &Pace) -> Result<CoupledReply, Problem> {
         Ok(found::coupled(self)?.into())
+    }
+
+    fn hints(&self) -> Vec<Warning> {
+        of_system(&self.system).collect()
     }
 }
 

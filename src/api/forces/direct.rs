@@ -66,7 +66,7 @@ fn with(mut values: Vec<Option<f64>>, place: usize, value: f64) -> Option<Vec<Op
 
 /// Gives the case other numbers in place; none where a request with them would be refused, or might be.
 pub(super) fn set_numbers(case: &mut ForcesCase, setters: &[Setter], values: &[f64]) -> Option<()> {
-    let ForcesCase { operation: Operation { system, sinkage, .. }, slip } = case;
+    let ForcesCase { operation: Operation { system, sinkage, .. }, slip, unused: _ } = case;
     let (mut wheel, mut soil, mut contact) = (*system.wheel.params(), *system.soil.params(), *system.contact.params());
     let (mut new_wheel, mut new_soil, mut new_contact) = (false, false, false);
     for (setter, &value) in setters.iter().zip(values) {

@@ -37,21 +37,22 @@ impl ForcesCase {
 pub(crate) fn forces(case: &ForcesCase) -> Result<FoundForces, Problem> {
     let operation = &case.operation;
     let (motion, point) = case.point().map_err(|error| Problem::refused(&error, &operation.sinkage))?;
-    Ok(FoundForces::at(operation, motion, point))
+    Ok(FoundForces::at(case, motion, point))
 }
 
 /// The same where the sinkage that carries a load is found in few steps.
 pub(super) fn forces_in_few_steps(case: &ForcesCase) -> Option<FoundForces> {
     let SlipFrom::Motion(motion) = case.slip else { return None };
     let point = case.operation.at_in_few_steps(motion.slip)?;
-    Some(FoundForces::at(&case.operation, motion, point))
+    Some(FoundForces::at(case, motion, point))
 }
 
 impl FoundForces {
     /// A point that was found, and what is to be said of it.
-    fn at(operation: &Operation, motion: Motion, point: OperatingPoint) -> Self {
+    fn at(ForcesCase { operation, unused, .. }: &ForcesCase, motion: Motion, point: OperatingPoint) -> Self {
         let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
-        let warnings = of_point(cautions(operation, &outcome), &operation.system, motion.heading);
+        let mut warnings = of_point(cautions(operation, &outcome), &operation.system, motion);
+        warnings.extend(unused.warning());
         Self { operation: *operation, motion, point, warnings }
     }
 }

@@ -17,6 +17,7 @@ use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::request::pull::SlipFrom;
 use crate::state::Service;
+use crate::warning::{Warning, of_system};
 pub(crate) use reply::ForcesReply;
 pub(crate) use request::ForcesCase;
 use request::ForcesRequest;
@@ -43,6 +44,10 @@ impl Room for ForcesCase {
 
     fn reply(&self, _: &Pace) -> Result<ForcesReply, Problem> {
         Ok(found::forces(self)?.into())
+    }
+
+    fn hints(&self) -> Vec<Warning> {
+        of_system(&self.operation.system).collect()
     }
 }
 

@@ -4,22 +4,21 @@ use std::borrow::Cow;
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
-use terramechanics::Circles;
-use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, Type};
+use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, SchemaType, Type};
 use utoipa::openapi::{Ref, RefOr, Schema};
 use utoipa::{PartialSchema, ToSchema};
 
 use super::found::FoundForces;
 use crate::quantity::{About, Field, OfPoint, Part, Point, PointValue, object_of, point_rows, with_fields};
 use crate::reply::{AnglesReply, Reply, method_name};
-use crate::request::circles::words;
+use crate::request::circles::{Counted, words};
 use crate::warning::Warning;
 
 /// Forces and torque on the wheel: the quantities of the point, each in its part of the object.
 #[derive(Debug)]
 pub(crate) struct ForcesReply {
     method: &'static str,
-    circles: Circles,
+    circles: Counted,
     normal_stress_from: &'static str,
     angles: AnglesReply,
     quantities: Vec<(&'static About, Part)>,
@@ -37,7 +36,7 @@ impl From<FoundForces> for ForcesReply {
         let (quantities, values) = rows.map(|(about, of)| ((about, of.part), of.value.at(&at))).unzip();
         Self {
             method: method_name(&operation.model.method),
-            circles: operation.system.contact.circles(),
+            circles: Counted::by(&operation.model.method, operation.system.contact.circles()),
             normal_stress_from: point.normal_stress_from.name(),
             angles: point.angles.into(),
             quantities,
@@ -78,7 +77,7 @@ impl Serialize for ForcesReply {
             if part == Part::Motion {
                 let (shear_displacement_radius, slip_radius) = words(self.circles);
                 map.serialize_entry("method", self.method)?;
-                map.serialize_entry("shear_displacement_radius", shear_displacement_radius)?;
+                map.serialize_entry("shear_displacement_radius", &shear_displacement_radius)?;
                 map.serialize_entry("slip_radius", slip_radius)?;
                 map.serialize_entry("normal_stress_from", self.normal_stress_from)?;
                 map.serialize_entry("angles", &self.angles)?;
@@ -102,9 +101,11 @@ fn fields(is_wanted: impl Fn(Part) -> bool) -> Vec<Field> {
 impl PartialSchema for ForcesReply {
     fn schema() -> RefOr<Schema> {
         let word = |meaning: &str| ObjectBuilder::new().schema_type(Type::String).description(Some(meaning));
+        let circle =
+            word("Circle on which the shear displacement was counted: shearing or rim; null where the method counts none.")
+                .schema_type(SchemaType::from_iter([Type::String, Type::Null]));
         let words = [
             ("method", "The method by which the forces were found."),
-            ("shear_displacement_radius", "Circle on which the shear displacement was counted: shearing or rim."),
             ("slip_radius", "Circle on which the slip was counted: rim, shearing or lug_tip."),
             (
                 "normal_stress_from",
@@ -116,8 +117,10 @@ impl PartialSchema for ForcesReply {
             .description(Some("Forces and torque on the wheel."))
             .property("angles", Ref::from_schema_name(AnglesReply::name()))
             .property("components", Ref::from_schema_name("Components"))
+            .property("shear_displacement_radius", circle)
             .property("warnings", warnings);
-        let object = ["angles", "components", "warnings"].into_iter().fold(object, ObjectBuilder::required);
+        let object =
+            ["angles", "components", "shear_displacement_radius", "warnings"].into_iter().fold(object, ObjectBuilder::required);
         let object =
             words.into_iter().fold(object, |object, (name, meaning)| object.property(name, word(meaning)).required(name));
         with_fields(object, &fields(|part| part != Part::Components), Field::number).into()

@@ -8,14 +8,17 @@ use crate::request::method::{self, BRAKING, LAMBDAS, METHOD, STRESSES};
 use crate::request::motion::MOTION;
 use crate::request::pull::{self, PULL, SlipFrom};
 use crate::request::side_slip::{self, SIDE_SLIP};
-use crate::request::sinkage::{self, SINKAGE};
+use crate::request::sinkage::{self, SINKAGE, is_under_load};
 use crate::request::system::SYSTEM;
+use crate::request::unused::{Reads, Unused};
 use crate::request::{Documented, Request, operation};
 
 /// One operating point, checked.
 pub(crate) struct ForcesCase {
     pub(crate) operation: Operation,
     pub(crate) slip: SlipFrom,
+    /// What was sent and is not read.
+    pub(crate) unused: Unused,
 }
 
 pub(super) type ForcesRequest = Documented<ForcesCase>;
@@ -31,6 +34,8 @@ impl Request for ForcesCase {
         let method = |object: &Reader<'_>, peak| side_slip::read(object, method::read(object, peak));
         let found = operation::read(object, sinkage::read, method);
         let slip = pull::read(object, found.wheel.as_ref(), found.circles);
-        Some(Self { operation: found.operation?, slip: slip? })
+        let operation = found.operation?;
+        let unused = Unused::of(object, Reads::by(&operation.model.method, is_under_load(object)), &operation.system);
+        Some(Self { operation, slip: slip?, unused })
     }
 }

@@ -11,7 +11,7 @@ use crate::quantity::{About, Point, PointValue, point_columns};
 use crate::request::error_pointer;
 use crate::request::pull::SlipFrom;
 use crate::varied::{IsSent, RowStatus, Setter, Varied};
-use crate::warning::{Finding, Tally, no_solution};
+use crate::warning::{Finding, Tally, no_solution, of_motion};
 
 impl ForcesCase {
     fn is_sideways(&self) -> bool {
@@ -65,7 +65,14 @@ impl ForcesCase {
         tally: &mut Tally,
         mut put: impl FnMut(f64),
     ) -> Result<(), Error> {
-        let Self { operation, .. } = self;
+        let Self { operation, unused, .. } = self;
+        if let Some(finding) = unused.finding() {
+            tally.finding(finding);
+        }
+        // A value in another unit may be the reason why there is no answer.
+        let system = &operation.system;
+        catalogue::outside(&system.wheel, system.soil.params())
+            .for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
         let (motion, point) = match self.point() {
             Ok(found) => found,
             Err(error) => {
@@ -79,12 +86,7 @@ impl ForcesCase {
         columns.for_each(|value| put(value.at(&at)));
         let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
         cautions(operation, &outcome).for_each(|caution| tally.caution(caution));
-        let system = &operation.system;
-        catalogue::outside(&system.wheel, system.soil.params())
-            .for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
-        if motion.heading == terramechanics::Heading::Backward {
-            tally.finding(Finding::Mirrored {});
-        }
+        of_motion(motion).for_each(|finding| tally.finding(finding));
         Ok(())
     }
 }

@@ -15,6 +15,7 @@ use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::state::Service;
+use crate::warning::{Warning, system_warnings};
 use reply::IdentifyReply;
 pub(crate) use request::IdentifyCase;
 use request::IdentifyRequest;
@@ -47,6 +48,14 @@ impl Room for IdentifyCase {
 
     fn reply(&self, pace: &Pace) -> Result<IdentifyReply, Problem> {
         Ok(found::identify(self, pace)?.into())
+    }
+
+    fn hints(&self) -> Vec<Warning> {
+        let setup = match self {
+            Self::Fit(case) => &case.setup,
+            Self::Linear(case) => &case.setup,
+        };
+        system_warnings(&setup.wheel, &setup.soil).collect()
     }
 }
 

@@ -11,7 +11,7 @@ use super::found::{FoundFit, FoundLine, FoundParameters};
 use super::request::column_name;
 use crate::reply::soil::{self, Spelled};
 use crate::reply::{EstimateReply, in_columns, method_name};
-use crate::request::circles::words;
+use crate::request::circles::{Counted, words};
 use crate::request::soil::SoilObject;
 use crate::request::system::ContactObject;
 use crate::warning::Warning;
@@ -24,9 +24,9 @@ pub(crate) struct IdentifyReply {
     estimator: &'static str,
     /// The method of the forward model.
     method: &'static str,
-    /// Circle on which the shear displacement was counted: shearing or rim.
-    #[schema(example = "shearing")]
-    shear_displacement_radius: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim; null where the method counts none.
+    #[schema(required = true, example = "shearing")]
+    shear_displacement_radius: Option<&'static str>,
     /// Circle on which the slip was counted: rim, shearing or lug_tip.
     #[schema(example = "rim")]
     slip_radius: &'static str,
@@ -88,7 +88,7 @@ impl From<FoundParameters> for IdentifyReply {
 
 impl From<FoundFit> for IdentifyReply {
     fn from(FoundFit { setup, observations, fit, warnings }: FoundFit) -> Self {
-        let (shear_displacement_radius, slip_radius) = words(setup.contact.circles);
+        let (shear_displacement_radius, slip_radius) = words(Counted::by(&setup.model.method, setup.contact.circles));
         let direction =
             |direction: &Vec<(Unknown, f64)>| direction.iter().map(|&(unknown, share)| (unknown.name(), share)).collect();
         Self {
@@ -119,7 +119,7 @@ impl From<FoundFit> for IdentifyReply {
 impl From<FoundLine> for IdentifyReply {
     fn from(found: FoundLine) -> Self {
         let FoundLine { setup, observations, line, bias, warnings } = found;
-        let (shear_displacement_radius, slip_radius) = words(setup.contact.circles);
+        let (shear_displacement_radius, slip_radius) = words(setup.contact.circles.into());
         let biased =
             |(i, estimate): (usize, &Estimate)| EstimateReply::of_wheel(estimate, &setup).biased(bias.map(|bias| bias[i]));
         let sinkage = observations.sinkage.as_ref().map_or_else(Vec::new, |column| column.values.clone());

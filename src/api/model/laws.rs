@@ -7,6 +7,8 @@ use terramechanics::{
 };
 use utoipa::ToSchema;
 
+use crate::request::laws::follows;
+
 /// Laws that can take each other's place.
 #[derive(Debug, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
@@ -80,7 +82,7 @@ impl ParameterNote {
             minimum: of.least,
             maximum: bound.filter(|_| !of.is_open_above()),
             exclusive_maximum: bound.filter(|_| of.is_open_above()),
-            required: of.is_required(),
+            required: of.is_required() && !follows(of),
             default: of.default(),
             fittable: fittable.iter().any(|fittable| fittable.parameter.name == of.name),
         }

@@ -116,7 +116,7 @@ pub(super) fn found<R: Varied>(sought: &Sought<R>, pace: &Pace) -> Result<Found,
         None => match optimum(&task, &mut function) {
             Ok(Outcome::Found(optimum)) => best(sought, &mut asked, optimum),
             Ok(Outcome::Infeasible(nearest)) => nearest_of(sought, &mut asked, nearest),
-            Ok(Outcome::NoAnswer { evaluations }) => Err(Problem::Invalid(asked.no_answer(evaluations))),
+            Ok(Outcome::NoAnswer { evaluations }) => Err(asked.no_answer(evaluations)),
             Err(_) => Err(ended(pace)),
         },
         Some((against, points)) => {
@@ -124,7 +124,7 @@ pub(super) fn found<R: Varied>(sought: &Sought<R>, pace: &Pace) -> Result<Found,
             match front(&task, Trade { against, points: *points }, &mut function) {
                 Ok(Outcome::Found(front)) => curve(sought, &mut asked, front),
                 Ok(Outcome::Infeasible(nearest)) => nearest_of(sought, &mut asked, nearest),
-                Ok(Outcome::NoAnswer { evaluations }) => Err(Problem::Invalid(asked.no_answer(evaluations))),
+                Ok(Outcome::NoAnswer { evaluations }) => Err(asked.no_answer(evaluations)),
                 Err(_) => Err(ended(pace)),
             }
         }

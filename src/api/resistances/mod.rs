@@ -14,6 +14,7 @@ use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::state::Service;
+use crate::warning::{Warning, of_system};
 use reply::ResistancesReply;
 pub(crate) use request::ResistancesCase;
 use request::ResistancesRequest;
@@ -35,6 +36,10 @@ impl Room for ResistancesCase {
 
     fn reply(&self, _: &Pace) -> Result<ResistancesReply, Problem> {
         Ok(found::resistances(self)?.into())
+    }
+
+    fn hints(&self) -> Vec<Warning> {
+        of_system(&self.system).collect()
     }
 }
 

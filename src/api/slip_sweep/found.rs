@@ -20,7 +20,7 @@ pub(crate) struct FoundSweep {
 ///
 /// # Errors
 /// [`Stop`], where the work is to end.
-pub(crate) fn sweep(SweepCase { operation, slips }: &SweepCase, pace: &Pace) -> Result<FoundSweep, Stop> {
+pub(crate) fn sweep(SweepCase { operation, slips, unused }: &SweepCase, pace: &Pace) -> Result<FoundSweep, Stop> {
     let mut sweep = SlipSweep::with_capacity(slips.len());
     for slips in slips.chunks(Point::between_checks(operation)) {
         pace.look()?;
@@ -34,6 +34,7 @@ pub(crate) fn sweep(SweepCase { operation, slips }: &SweepCase, pace: &Pace) -> 
     let mut warnings = of_gaps(&sweep, operation);
     warnings.extend(cautious.into_warnings(slips.len()));
     warnings.extend(of_system(&operation.system));
+    warnings.extend(unused.warning());
     Ok(FoundSweep { operation: *operation, sweep, warnings })
 }
 

@@ -8,7 +8,7 @@ use super::found::FoundSweep;
 use crate::quantity::PointColumns;
 use crate::reply::in_columns;
 use crate::reply::method_name;
-use crate::request::circles::words;
+use crate::request::circles::{Counted, words};
 use crate::warning::Warning;
 
 /// Forces over slip.
@@ -17,9 +17,9 @@ use crate::warning::Warning;
 pub(crate) struct SweepReply {
     /// The method by which the forces were found.
     method: &'static str,
-    /// Circle on which the shear displacement was counted: shearing or rim.
-    #[schema(example = "shearing")]
-    shear_displacement_radius: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim; null where the method counts none.
+    #[schema(required = true, example = "shearing")]
+    shear_displacement_radius: Option<&'static str>,
     /// Circle on which the slip was counted: rim, shearing or lug_tip.
     #[schema(example = "rim")]
     slip_radius: &'static str,
@@ -35,7 +35,7 @@ impl From<FoundSweep> for SweepReply {
         let method = &operation.model.method;
         let is_sideways = matches!(method, Method::SideSlipping(_));
         let columns = PointColumns::of(&sweep, &operation, is_sideways);
-        let (shear_displacement_radius, slip_radius) = words(operation.system.contact.circles());
+        let (shear_displacement_radius, slip_radius) = words(Counted::by(method, operation.system.contact.circles()));
         Self {
             method: method_name(method),
             shear_displacement_radius,

@@ -1,17 +1,18 @@
 //! Stresses along the rim.
 
 use terramechanics::{
-    Circles, Error, Method, NormalStressFrom, OperatingPoint, Operation, Outcome, PressureCurve, Soil, SoilLaw, SoilParams,
-    StressField, StressProfile, Stresses, WheelOnSoil, cautions,
+    Error, Method, NormalStressFrom, OperatingPoint, Operation, Outcome, PressureCurve, Soil, SoilLaw, SoilParams, StressField,
+    StressProfile, Stresses, WheelOnSoil, cautions,
 };
 
 use super::request::ProfileCase;
 use crate::problem::Problem;
+use crate::request::circles::Counted;
 use crate::warning::{Finding, Warning, of_point};
 
 /// The stresses along the rim, and at their peak.
 pub(crate) struct FoundProfile {
-    pub(crate) circles: Circles,
+    pub(crate) circles: Counted,
     pub(crate) point: OperatingPoint,
     pub(crate) peak: Stresses,
     pub(crate) profile: StressProfile,
@@ -27,7 +28,7 @@ pub(crate) fn profile(case: &ProfileCase) -> Result<FoundProfile, Problem> {
 }
 
 fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
-    let ProfileCase { operation, motion, points, .. } = case;
+    let ProfileCase { operation, motion, points, unused, .. } = case;
     let point = operation.at(motion.slip)?;
     let in_grains = operation.model.method == Method::ResistiveForce;
     let (profile, peak, parted) = if in_grains { in_grain(case, &point) } else { by_laws(case, &point) }?;
@@ -35,7 +36,7 @@ fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
         return Err(Error::NotFinite);
     }
     let outcome = Outcome { standstill_normal: operation.standstill_normal(), ..Outcome::from(&point) };
-    let mut warnings = of_point(cautions(operation, &outcome), &operation.system, motion.heading);
+    let mut warnings = of_point(cautions(operation, &outcome), &operation.system, *motion);
     if parted {
         warnings.push(Finding::NoLinearStresses {}.into());
     }
@@ -45,7 +46,9 @@ fn solved(case: &ProfileCase) -> Result<FoundProfile, Error> {
     if *points < StressProfile::FEWEST_POINTS {
         warnings.push(Finding::PointsRaised { points: profile.theta.len() }.into());
     }
-    Ok(FoundProfile { circles: operation.system.contact.circles(), point, peak, profile, warnings })
+    warnings.extend(unused.warning());
+    let circles = Counted::by(&operation.model.method, operation.system.contact.circles());
+    Ok(FoundProfile { circles, point, peak, profile, warnings })
 }
 
 /// The stresses by the laws of the soil, those at their peak, and whether the contact has two zones.

@@ -14,6 +14,7 @@ use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::state::Service;
+use crate::warning::{Warning, of_system};
 use reply::ProfileReply;
 pub(crate) use request::ProfileCase;
 use request::ProfileRequest;
@@ -38,6 +39,10 @@ impl Room for ProfileCase {
 
     fn reply(&self, _: &Pace) -> Result<ProfileReply, Problem> {
         Ok(found::profile(self)?.into())
+    }
+
+    fn hints(&self) -> Vec<Warning> {
+        of_system(&self.operation.system).collect()
     }
 }
 

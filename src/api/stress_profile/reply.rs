@@ -18,9 +18,9 @@ pub(crate) struct ProfileReply {
     slip: f64,
     /// Sinkage z (m).
     sinkage_m: f64,
-    /// Circle on which the shear displacement was counted: shearing or rim.
-    #[schema(example = "shearing")]
-    shear_displacement_radius: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim; null where the method counts none.
+    #[schema(required = true, example = "shearing")]
+    shear_displacement_radius: Option<&'static str>,
     /// Circle on which the slip was counted: rim, shearing or lug_tip.
     #[schema(example = "rim")]
     slip_radius: &'static str,

@@ -14,6 +14,7 @@ use crate::compute::{Cost, Pace};
 use crate::extract::{Format, Input};
 use crate::problem::Problem;
 use crate::state::Service;
+use crate::warning::{Warning, of_system};
 use reply::TowedReply;
 pub(crate) use request::TowedCase;
 use request::TowedRequest;
@@ -31,6 +32,10 @@ impl Room for TowedCase {
 
     fn reply(&self, _: &Pace) -> Result<TowedReply, Problem> {
         Ok(found::towed(self)?.into())
+    }
+
+    fn hints(&self) -> Vec<Warning> {
+        of_system(&self.operation.system).collect()
     }
 }
 

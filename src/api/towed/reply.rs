@@ -20,9 +20,9 @@ pub(crate) struct TowedReply {
     sinkage_m: f64,
     /// Towing resistance −F_x (N).
     towing_resistance_n: f64,
-    /// Circle on which the shear displacement was counted: shearing or rim.
-    #[schema(example = "shearing")]
-    shear_displacement_radius: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim; null where the method counts none.
+    #[schema(required = true, example = "shearing")]
+    shear_displacement_radius: Option<&'static str>,
     /// Circle on which the slip was counted: rim, shearing or lug_tip.
     #[schema(example = "rim")]
     slip_radius: &'static str,

@@ -7,6 +7,7 @@ use crate::request::circles::CIRCLES;
 use crate::request::method::{self, BRAKING_FIELD, BRAKING_LAWS, INTEGRALS, takes_two_zones};
 use crate::request::sinkage::LOAD;
 use crate::request::system::{self, SYSTEM};
+use crate::request::unused::{Reads, Unused};
 use crate::request::{Documented, Request};
 
 const NORMAL_LOAD: Field<Number> =
@@ -21,6 +22,8 @@ const BRAKING: Field<Word<Braking>> = Field::new(
 pub(crate) struct TowedCase {
     pub(crate) operation: Operation,
     pub(crate) load: f64,
+    /// What was sent and is not read.
+    pub(crate) unused: Unused,
 }
 
 pub(super) type TowedRequest = Documented<TowedCase>;
@@ -45,6 +48,7 @@ impl Request for TowedCase {
             return None;
         }
         let model = ForceModel::at_rim(method);
-        Some(Self { operation: Operation { system, model, sinkage: Sinkage::CarryingLoad(load) }, load })
+        let unused = Unused::of(object, Reads::by(&method, false), &system);
+        Some(Self { operation: Operation { system, model, sinkage: Sinkage::CarryingLoad(load) }, load, unused })
     }
 }

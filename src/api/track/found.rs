@@ -1,10 +1,12 @@
 //! What a run over samples says of itself when it is over.
 
-use terramechanics::{Channel, Circles, CulpritTally, Event, NormalStressFrom, Status, Tally, Tracker};
+use terramechanics::{Channel, CulpritTally, Event, NormalStressFrom, Status, Tally, Tracker};
 use terramechanics_identification::{RunningStrength, StrengthTally};
 use terramechanics_reading::Assumption;
 
 use super::plan::TrackPlan;
+use crate::request::circles::Counted;
+use crate::request::unused::Unused;
 use crate::series::{Column, Unreadable};
 use crate::warning::{BeyondRange, Finding, Reason, Rows, Warning, of_assumptions, of_system};
 
@@ -12,7 +14,7 @@ use crate::warning::{BeyondRange, Finding, Reason, Rows, Warning, of_assumptions
 #[derive(Debug)]
 pub(crate) struct FoundTrack {
     pub(crate) rows: u64,
-    pub(crate) circles: Circles,
+    pub(crate) circles: Counted,
     pub(crate) normal_stress_from: NormalStressFrom,
     pub(crate) events: Vec<Event>,
     pub(crate) warnings: Vec<Warning>,
@@ -47,12 +49,18 @@ impl FoundTrack {
         }
         Self {
             rows: tracker.rows(),
-            circles: tracker.system().contact.circles(),
+            circles: tracker.system().contact.circles().into(),
             normal_stress_from: plan.normal_stress_from(),
             events: events.to_vec(),
             warnings,
             assumed: None,
         }
+    }
+
+    /// Of settings that count on these circles and do not read all that was sent.
+    pub(crate) fn by(mut self, circles: Counted, unused: &Unused) -> Self {
+        self.warnings.extend(unused.warning());
+        Self { circles, ..self }
     }
 
     /// With what was assumed of the request.

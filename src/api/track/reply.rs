@@ -45,9 +45,9 @@ impl TrackReply {
 #[derive(Debug, Clone, Copy, Serialize, ToSchema)]
 #[schema(as = TrackHead)]
 pub(crate) struct HeadReply {
-    /// Circle on which the shear displacement was counted: shearing or rim.
-    #[schema(example = "shearing")]
-    shear_displacement_radius: &'static str,
+    /// Circle on which the shear displacement was counted: shearing or rim; null where the method counts none.
+    #[schema(required = true, example = "shearing")]
+    shear_displacement_radius: Option<&'static str>,
     /// Circle on which the slip was counted: rim, shearing or lug_tip.
     #[schema(example = "rim")]
     slip_radius: &'static str,
@@ -66,7 +66,7 @@ impl HeadReply {
     pub(crate) fn named(self) -> [(&'static str, &'static str); 3] {
         let Self { shear_displacement_radius, slip_radius, normal_stress_from } = self;
         [
-            ("shear_displacement_radius", shear_displacement_radius),
+            ("shear_displacement_radius", shear_displacement_radius.unwrap_or_default()),
             ("slip_radius", slip_radius),
             ("normal_stress_from", normal_stress_from),
         ]

@@ -11,12 +11,13 @@ use terramechanics_reading::{
 use super::plan::{self, BesideColumns, TrackPlan};
 use super::samples::{self, COLUMNS, Samples};
 use crate::request::assume::{ASSUME, accepted_by};
-use crate::request::circles::CIRCLES;
+use crate::request::circles::{CIRCLES, Counted};
 use crate::request::laws::field_or_default;
 use crate::request::method::{self, BRAKING, BRAKING_FIELD, LAMBDAS, METHOD, METHOD_FIELD, STRESSES};
 use crate::request::sinkage::{LOAD, SLIP_SINKAGE, STATIC_SINKAGE, law_beside_static, of_known};
 use crate::request::soil::{FoundSoil, Needs};
 use crate::request::system::{self, CONTACT, SOIL, WHEEL};
+use crate::request::unused::{Reads, Unused};
 use crate::request::{Accepted, Documented, Request, operation};
 use crate::series::{ExtraColumns, Layout};
 use crate::words::HINTS;
@@ -78,6 +79,10 @@ pub(crate) struct TrackSettings {
     /// The running estimate of the strength, where it is asked for.
     pub(crate) strength: Option<RunningStrength>,
     pub(crate) extra_columns: ExtraColumns,
+    /// The circles on which the method counts.
+    pub(crate) circles: Counted,
+    /// What was sent and is not read.
+    pub(crate) unused: Unused,
 }
 
 /// A run over samples in memory, checked.
@@ -135,7 +140,14 @@ fn settings(object: &Reader<'_>, extra_columns: Option<ExtraColumns>) -> Option<
     let tracker = if has_soil { tracker } else { tracker.without_soil() };
     let strength = strength(object, &operation)?;
     let (normal_load, extra_columns) = (normal_load?, extra_columns?);
-    Some(TrackSettings { operation, has_soil, from_static, normal_load, tracker, strength, extra_columns })
+    let (method, system) = (&operation.model.method, &operation.system);
+    // The columns may show a pull that follows from the torque, beside any method.
+    let reads = if has_soil { Reads::by(method, false).and(Reads::FROM_TORQUE) } else { Reads::FROM_TORQUE };
+    let reads = if strength.is_some() { reads.and(Reads::STRESSES) } else { reads };
+    let circles = system.contact.circles();
+    let circles = if strength.is_some() { circles.into() } else { Counted::by(method, circles) };
+    let unused = Unused::of(object, reads, system);
+    Some(TrackSettings { operation, has_soil, from_static, normal_load, tracker, strength, extra_columns, circles, unused })
 }
 
 /// Whether nothing is asked for that needs a soil, where there is none; what is, is reported.

@@ -127,7 +127,7 @@ impl Run {
                         Source::Reader(reader) => reader.unreadable(),
                         Source::Memory { .. } => &Unreadable::default(),
                     };
-                    return started.end(unreadable, self.assumed.take(), output).map(|()| Progress::Complete);
+                    return started.end(&self.settings, unreadable, self.assumed.take(), output).map(|()| Progress::Complete);
                 }
             }
             rows += 1;
@@ -160,9 +160,16 @@ impl Started {
         Ok(())
     }
 
-    fn end(&mut self, unreadable: &Unreadable, assumed: Option<Vec<Assumption>>, output: &mut Vec<u8>) -> Result<(), Problem> {
+    fn end(
+        &mut self,
+        settings: &TrackSettings,
+        unreadable: &Unreadable,
+        assumed: Option<Vec<Assumption>>,
+        output: &mut Vec<u8>,
+    ) -> Result<(), Problem> {
         self.tracker.finish();
-        let found = FoundTrack::of(&self.tracker, &self.plan, unreadable, self.strength.as_ref()).assuming(assumed);
+        let found = FoundTrack::of(&self.tracker, &self.plan, unreadable, self.strength.as_ref());
+        let found = found.by(settings.circles, &settings.unused).assuming(assumed);
         match &mut self.sink {
             Sink::Rows(table) => {
                 table.end(&found, output);

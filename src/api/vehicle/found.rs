@@ -1,12 +1,13 @@
 //! A rover on its slopes.
 
-use terramechanics::{Caution, Circles, LargestSlope, OnSlope, SlopeLimit, Vehicle, VehicleError};
+use terramechanics::{Caution, Circles, LargestSlope, OnSlope, SlopeLimit, UnlikeRut, Vehicle, VehicleError};
 
 use super::refusal;
 use super::request::{Slopes, VehicleCase, word};
 use crate::compute::Pace;
 use crate::problem::Problem;
 use crate::reply::method_name;
+use crate::request::circles::Counted;
 use crate::warning::{Finding, RowCautions, Rows, Warning, of_system};
 
 /// A slope, and the rover on it unless it has no answer there.
@@ -25,7 +26,7 @@ pub(crate) struct FoundVehicle {
     pub(crate) largest: Option<f64>,
     pub(crate) gravity: f64,
     pub(crate) method: &'static str,
-    pub(crate) circles: Circles,
+    pub(crate) circles: Counted,
     pub(crate) drive: &'static str,
     pub(crate) has_statics: bool,
     pub(crate) velocity: Option<f64>,
@@ -39,7 +40,7 @@ pub(crate) struct FoundVehicle {
 /// # Errors
 /// What the model refuses of a rover on one slope, unless it just does not climb that; or that the work is to end.
 pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, Problem> {
-    let VehicleCase { vehicle, have_own_soil, slopes, hitch_pull, slip_limit, velocity } = case;
+    let VehicleCase { vehicle, have_own_soil, unused, slopes, hitch_pull, slip_limit, velocity } = case;
     let is_one = matches!(slopes, Slopes::One(_));
     let mut found = Vec::with_capacity(slopes.len());
     for &slope in slopes.as_slice() {
@@ -59,14 +60,17 @@ pub(crate) fn vehicle(case: &VehicleCase, pace: &Pace) -> Result<FoundVehicle, P
     warnings.extend(of_largest(&largest));
     warnings.extend(cautions(vehicle, &found));
     warnings.extend(of_systems(vehicle));
+    warnings.extend(of_ruts(vehicle).map(Warning::from));
+    warnings.extend(unused.warning());
     let params = vehicle.params();
+    let circles = params.stations.first().map_or(Circles::SHEARING, |station| station.system.contact.circles());
     Ok(FoundVehicle {
         is_one,
         slopes: found,
         largest: largest.ok().map(|largest| largest.slope),
         gravity: params.gravity,
         method: method_name(&params.model.method),
-        circles: params.stations.first().map_or(Circles::SHEARING, |station| station.system.contact.circles()),
+        circles: Counted::by(&params.model.method, circles),
         drive: word(params.drive),
         has_statics: vehicle.has_statics(),
         velocity: *velocity,
@@ -125,8 +129,20 @@ fn cautions(vehicle: &Vehicle, slopes: &[FoundSlope]) -> impl Iterator<Item = Wa
     rows.into_warnings(slopes.len())
 }
 
+/// What is to be said of ruts that are taken for others than they are.
+pub(super) fn of_ruts(vehicle: &Vehicle) -> impl Iterator<Item = Finding> {
+    let stations = |is_meant: fn(&UnlikeRut) -> bool| {
+        let ruts = vehicle.unlike_ruts().filter(is_meant).map(|rut| (rut.station, rut.before));
+        Some(ruts.collect::<Vec<_>>()).filter(|stations| !stations.is_empty())
+    };
+    let ratio = vehicle.unlike_ruts().map(|rut| rut.width_ratio).fold(1.0, f64::max);
+    let narrow = stations(|rut| rut.width_ratio > 1.0).map(|stations| Finding::RutTooNarrow { stations, ratio });
+    let other = stations(|rut| rut.of_other_soil).map(|stations| Finding::RutOfOtherSoil { stations });
+    narrow.into_iter().chain(other)
+}
+
 /// What is to be said of the wheels and soils themselves, once.
-fn of_systems(vehicle: &Vehicle) -> Vec<Warning> {
+pub(super) fn of_systems(vehicle: &Vehicle) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = Vec::new();
     for warning in vehicle.params().stations.iter().flat_map(|station| of_system(&station.system)) {
         if !warnings.contains(&warning) {

@@ -16,6 +16,7 @@ use crate::compute::{Cost, Pace};
 use crate::extract::{Asked, Format, FormatParameter, Input};
 use crate::problem::Problem;
 use crate::state::Service;
+use crate::warning::Warning;
 use reply::VehicleReply;
 pub(crate) use request::VehicleCase;
 use request::VehicleRequest;
@@ -42,6 +43,10 @@ impl Room for VehicleCase {
 
     fn reply(&self, pace: &Pace) -> Result<VehicleReply, Problem> {
         Ok(found::vehicle(self, pace)?.into())
+    }
+
+    fn hints(&self) -> Vec<Warning> {
+        found::of_systems(&self.vehicle)
     }
 }
 

@@ -31,8 +31,9 @@ struct Summary {
     gravity_m_s2: f64,
     /// The method by which the forces were found.
     method: &'static str,
-    /// The circle on which the shear displacement was counted.
-    shear_displacement_radius: &'static str,
+    /// The circle on which the shear displacement was counted; null where the method counts none.
+    #[schema(required = true)]
+    shear_displacement_radius: Option<&'static str>,
     /// The circle on which the slip was counted.
     slip_radius: &'static str,
     /// What the wheels that turn together have in common: `one_slip` or `equal_torque`.

@@ -3,7 +3,7 @@
 use terramechanics::VehicleError;
 use terramechanics_reading::FieldFault;
 
-use super::found::FoundSlope;
+use super::found::{FoundSlope, of_ruts};
 use super::refusal;
 use super::reply::{COLUMNS, row};
 use super::request::{Slopes, VehicleCase};
@@ -68,10 +68,14 @@ impl VehicleCase {
         cells.extend(row(&found, *velocity));
         let largest = with_largest.then(|| vehicle.largest_slope(*hitch_pull, *slip_limit).ok()).flatten();
         cells.push(largest.map_or(f64::NAN, |largest| largest.slope));
+        if let Some(finding) = self.unused.finding() {
+            tally.finding(finding);
+        }
         for station in &vehicle.params().stations {
             let (wheel, soil) = (&station.system.wheel, station.system.soil.params());
             catalogue::outside(wheel, soil).for_each(|outside| tally.finding(Finding::OutsideCatalogue { outside }));
         }
+        of_ruts(vehicle).for_each(|finding| tally.finding(finding));
         match found.on {
             Ok(on) => {
                 if !climbs {

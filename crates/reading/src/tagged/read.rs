@@ -139,9 +139,10 @@ impl Reader<'_> {
         self.within(field).is_some_and(|object| object.has(&Field::new(field.kind.tag, "", Tag(field.kind))))
     }
 
-    /// The tagged object that was sent, for the fields that any of its forms may have; its names are checked where it is read.
+    /// The object that was sent, for the fields that it may have, of a tagged one those of any form; its names are checked where it is
+    /// read.
     #[must_use]
-    pub fn within<'r>(&'r self, field: &Field<&'static Tagged>) -> Option<Reader<'r>> {
+    pub fn within<'r, K>(&'r self, field: &Field<K>) -> Option<Reader<'r>> {
         match self.raw(field)? {
             (Node::Object(fields), place) => Some(Reader::new(fields, place)),
             _ => None,

@@ -9,7 +9,24 @@ use crate::wheel::Wheel;
 /// wheel.
 const LARGEST_COHESION_OF_GRAINS: f64 = 300.0;
 
+/// Difference of a unit weight from density times gravity, over the latter, beyond which they are no roundings of each other; a choice.
+const LARGEST_WEIGHT_DIFFERENCE: f64 = 0.05;
+
 kinds! {
+    UNIT_WEIGHTS_DIFFER = CautionKind {
+        code: "unit_weights_differ",
+        meaning: "The unit weight of the soil, or the one in Reece's law, is not its bulk density times gravity, by this share. Each is \
+                  used where it is asked for, so that parts of the answer belong to different soils.",
+        advice: "Give one of them, or check both and the gravity in which they hold.",
+        parameter: Some(&Soil::UNIT_WEIGHT),
+        range: Some(TestedRange {
+            quantity: "unit weight over density times gravity, minus 1",
+            unit: "1",
+            lower: Some(-LARGEST_WEIGHT_DIFFERENCE),
+            upper: Some(LARGEST_WEIGHT_DIFFERENCE),
+            source: "density times gravity; the bound is a choice",
+        }),
+    };
     MODULI_OF_OTHER_GRAVITY = CautionKind {
         code: "moduli_of_other_gravity",
         meaning: "Bekker's moduli are those of the gravity in which they were measured, and this soil is taken to another one. \

@@ -58,6 +58,14 @@ kinds! {
         parameter: Some(&Wheel::LUG_HEIGHT),
         range: None,
     };
+    INTERFACE_OF_LUGGED_WHEEL = CautionKind {
+        code: "interface_of_lugged_wheel",
+        meaning: "The contact has an interface, which is that of a bare rim, and the wheel has lugs. The soil between lugs shears \
+                  against the soil beneath, with the strength of the soil. The interface is counted all the same.",
+        advice: "Leave the interface out for a wheel with lugs.",
+        parameter: Some(&Wheel::LUG_HEIGHT),
+        range: None,
+    };
     PEAK_RULE_SET_ASIDE = CautionKind {
         code: "peak_rule_set_aside",
         meaning: "The largest stress of a braking wheel with two zones lies where the zones meet, so the contact's rule for \

@@ -56,7 +56,7 @@ impl Reece {
         name: "unit_weight_n_m3",
         symbol: "γ",
         unit: "N/m3",
-        meaning: "Unit weight of the soil.",
+        meaning: "Unit weight of the soil; in a request, where it is not given here, that of the soil itself or its density times gravity.",
         requirement: Requirement::NotNegative,
         least: 0.0,
         most: 1e6,

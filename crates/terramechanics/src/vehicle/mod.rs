@@ -29,7 +29,7 @@ mod turning;
 pub use command::{Drive, Turning};
 pub use drive::{Driven, VehicleWheel};
 pub use error::VehicleError;
-pub use rut::Unloading;
+pub use rut::{UnlikeRut, Unloading};
 pub use slope::{LargestSlope, OnSlope, SlopeLimit};
 
 use consent::Consent;

@@ -7,13 +7,17 @@
 //! found to check these ranges by. The defaults are the middles. At the pressures of rovers
 //! the soil comes back by tenths of a millimetre, so that the choice hardly matters.
 //!
-//! Simplified: the floor of the rut is flat across the wheel, and the wheel fits into the rut whatever the width of the one before. p_u is
+//! Simplified: the floor of the rut is flat along the rover and across the wheel, as deep as the wheels ahead pressed it and as wide as
+//! the wheel in it. So a narrower follower runs as it should, and one of another radius. A wider one would meet undisturbed soil on
+//! both sides of the rut, which carries it earlier and resists it more: its sinkage is taken too large, its resistance too
+//! small. On another soil the depth is still that of the
+//! wheels ahead, which that soil may not have let sink so far. [`Vehicle::unlike_ruts`] names both. p_u is
 //! the pressure of the following wheel's own curve at z_u, so that its pressure has no jump. The soil comes back no higher than where it
 //! lay. Its shear strength and its K are those of the undisturbed soil, although it has been pressed and sheared before. So a following
 //! wheel meets half of the resistance or less, but its contact is shorter and mobilises less of the strength: where K is large or the
 //! slip small, it pulls less than the wheel before it. No measured pull of a following wheel has been compared.
 
-use super::Station;
+use super::{Station, Vehicle};
 use crate::error::Error;
 use crate::forces::rutted::{RutCurve, forces_in_rut};
 use crate::forces::{ForceModel, Forces};
@@ -90,6 +94,35 @@ pub(super) fn order(places: &[f64]) -> Vec<(usize, Option<usize>)> {
         }
     }
     order
+}
+
+/// A rut that is taken for another than it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnlikeRut {
+    /// The station that runs in it.
+    pub station: usize,
+    /// The station that pressed it.
+    pub before: usize,
+    /// Width of the wheel over that of the wheel ahead (–).
+    pub width_ratio: f64,
+    /// Whether the wheel stands on another soil than the wheel ahead.
+    pub of_other_soil: bool,
+}
+
+impl Vehicle {
+    /// The ruts whose wheel is wider than the one ahead, or stands on another soil.
+    pub fn unlike_ruts(&self) -> impl Iterator<Item = UnlikeRut> {
+        let system = |station: usize| self.params.stations.get(station).map(|of| &of.system);
+        let rut = move |&(station, before): &(usize, Option<usize>)| {
+            let before = before?;
+            let (own, ahead) = (system(station)?, system(before)?);
+            let width_ratio = own.wheel.width() / ahead.wheel.width();
+            let of_other_soil = own.soil.params() != ahead.soil.params();
+            Some(UnlikeRut { station, before, width_ratio, of_other_soil })
+        };
+        let ruts = self.order.iter().filter_map(rut);
+        ruts.filter(|rut| rut.width_ratio > 1.0 || rut.of_other_soil)
+    }
 }
 
 /// A wheel at rest on the floor of a rut.

@@ -10,8 +10,10 @@ use crate::request::circles::CIRCLES;
 use crate::request::method::{
     BRAKING, ClosedForms, LAMBDAS, LETTER_METHODS, METHODS, MethodName, STRESSES, needs_of_all, takes_two_zones,
 };
+use crate::request::sinkage::is_under_load;
 use crate::request::sinkage::{self, SINKAGE};
 use crate::request::system::{self, SYSTEM};
+use crate::request::unused::{Reads, Unused};
 use crate::request::{Documented, Request, operation};
 use variant::VARIANTS;
 
@@ -29,6 +31,8 @@ pub(crate) struct CompareCase {
     /// The request as it stands, then each of its variants.
     pub(crate) variations: Vec<Variation>,
     pub(crate) slips: Vec<Slip>,
+    /// What was sent and none of the methods reads.
+    pub(crate) unused: Unused,
 }
 
 /// The operations by method, of which there is at least one, that differ in nothing else.
@@ -68,6 +72,7 @@ impl Request for CompareCase {
 
     fn read(object: &Reader<'_>) -> Option<Self> {
         let (own, faults) = own_operations(object);
+        let (own, mut unused) = own.unzip();
         faults.iter().for_each(|fault| object.place().pass_on(fault.clone()));
         let slips = axis::read(object, &SLIP_OR_SLIPS);
         let mut names: Vec<String> = Vec::new();
@@ -76,12 +81,14 @@ impl Request for CompareCase {
                 let name = variant::name(variant, &names);
                 names.extend(name.clone());
                 let operations = variant::operations(object, (variant, index), &faults);
-                Some(Variation { variant: Some(name?), operations: operations? })
+                let (operations, of_variant) = operations?;
+                unused.get_or_insert_default().extend(of_variant);
+                Some(Variation { variant: Some(name?), operations })
             })
         });
         let mut variations = vec![Variation { variant: None, operations: own? }];
         variations.extend(variants?);
-        let case = Self { variations, slips: slips? };
+        let case = Self { variations, slips: slips?, unused: unused.unwrap_or_default() };
         let points = case.operations().count() * case.slips.len();
         if points > MOST_POINTS {
             let figures = Figures { value: Some(points as f64), maximum: Some(MOST_POINTS as f64), ..Figures::default() };
@@ -96,15 +103,15 @@ impl Request for CompareCase {
 }
 
 /// The operations of the request as it stands, and what is wrong with them.
-fn own_operations(object: &Reader<'_>) -> (Option<Vec<Operation>>, Vec<FieldFault>) {
+fn own_operations(object: &Reader<'_>) -> (Option<(Vec<Operation>, Unused)>, Vec<FieldFault>) {
     let faults = Faults::apart(object.place());
     let operations = operations(&object.at(Scope::root(&faults)), None);
     object.place().assume_all(faults.assumptions().unwrap_or_default());
     (operations, faults.into_list())
 }
 
-/// The operations by every method, with the laws that `variant` has in place of the soil's own.
-fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<Vec<Operation>> {
+/// The operations by every method, with the laws that `variant` has in place of the soil's own, and what none of them reads.
+fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<(Vec<Operation>, Unused)> {
     let needs = operation::beside_load(object, needs_of_all(object, &METHODS_FIELD));
     let system = system::read_varied(object, variant, needs);
     let found = operation::read_with(object, system, sinkage::read, |_, _| Some(Method::Quadrature));
@@ -117,7 +124,12 @@ fn operations(object: &Reader<'_>, variant: Option<&Reader<'_>>) -> Option<Vec<O
         let is_taken = has_law && takes_two_zones(object, method, &operation.system.contact);
         is_taken.then_some(Operation { model: ForceModel { method, ..operation.model }, ..operation })
     };
-    methods?.into_iter().map(by_method).collect()
+    let operations: Vec<Operation> = methods?.into_iter().map(by_method).collect::<Option<_>>()?;
+    // The gap to the quadrature is told wherever the soil has its laws.
+    let beside = soil.soil.shear().and(soil.soil.pressure_sinkage()).map(|_| Reads::STRESSES);
+    let by = |operation: &Operation| Reads::by(&operation.model.method, is_under_load(object));
+    let reads = operations.iter().map(by).chain(beside).reduce(Reads::and)?;
+    Some((operations, Unused::of(object, reads, &operation.system)))
 }
 
 #[cfg(test)]

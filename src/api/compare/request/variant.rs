@@ -8,6 +8,7 @@ use crate::request::method::{BRAKING_FIELD, BRAKING_LAWS, NORMAL_STRESS_RADIUS};
 use crate::request::sinkage::SLIP_SINKAGE;
 use crate::request::soil::{VARIED_PRESSURE_SINKAGE, VARIED_SHEAR};
 use crate::request::system::CONTACT;
+use crate::request::unused::Unused;
 
 const NAME: Field<Label> =
     Field::required("name", "What the variant is called in the answer; no other has the same name.", Label);
@@ -49,7 +50,7 @@ pub(super) fn operations(
     request: &Reader<'_>,
     (variant, index): (&Reader<'_>, usize),
     faults: &[FieldFault],
-) -> Option<Vec<Operation>> {
+) -> Option<(Vec<Operation>, Unused)> {
     let found = Faults::apart(request.place());
     let root = Scope::root(&found);
     let list = root.field(VARIANTS.name).item(index);

@@ -1,5 +1,6 @@
 //! Cohesion and friction in one pass, for linear stresses.
 
+use terramechanics::interface_caution;
 use terramechanics_identification::{DesignGap, Estimate, FitError, LinearFit, Observations, Setup, Unknown, fit_line_while};
 
 use crate::api::identify::request::{LinearCase, fit_fault, refusal_pointer};
@@ -19,7 +20,7 @@ pub(crate) struct FoundLine {
 }
 
 pub(super) fn line(case: &LinearCase, pace: &Pace) -> Result<FoundLine, Problem> {
-    let LinearCase { setup, observations, law_known } = case;
+    let LinearCase { setup, observations, law_known, unused } = case;
     let fault = |error: FitError| {
         Problem::Invalid(vec![match error {
             FitError::Refused { row, error } => FieldFault::new(refusal_pointer(row, &error, &setup.sinkage), error),
@@ -36,6 +37,8 @@ pub(super) fn line(case: &LinearCase, pace: &Pace) -> Result<FoundLine, Problem>
     if *law_known {
         warnings.extend(system_warnings(&setup.wheel, &line.setup.soil));
     }
+    warnings.extend(unused.warning());
+    warnings.extend(interface_caution(&setup.wheel, &setup.contact).map(Warning::from));
     let (setup, observations) = (*setup, observations.clone());
     Ok(FoundLine { setup, observations, line, bias, warnings })
 }

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use terramechanics::{Method, interface_caution};
 use terramechanics_identification::{Bound, Fit, FitOptions, Observations, Setup, Unknown, fit_while};
 
 use crate::api::identify::request::{FitCase, column_name, fit_fault};
@@ -66,6 +67,10 @@ fn warnings(case: &FitCase, found: &Fit) -> Vec<Warning> {
     if case.law_replaced {
         warnings.push(Finding::LawReplaced {}.into());
     }
+    warnings.extend(case.unused.warning());
+    let has_interface = found.setup.model.method != Method::ResistiveForce;
+    let interface = interface_caution(&found.setup.wheel, &found.setup.contact).filter(|_| has_interface);
+    warnings.extend(interface.map(Warning::from));
     warnings
 }
 

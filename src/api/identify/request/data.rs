@@ -5,6 +5,7 @@ use terramechanics_identification::{Column, Observations, Quantity};
 use terramechanics_reading::{Alternative, Either, Field, Number, Numbers, Object, OneOf, Reader};
 
 use crate::request::motion::RATIO;
+use crate::request::sinkage::meant_in_metres;
 use crate::request::sinkage_figures;
 
 /// Numbers that a column has at most.
@@ -141,7 +142,9 @@ fn sinkages_within(data: &Reader<'_>, sinkages: Option<&[f64]>, wheel: Option<&W
     let radius = wheel.radius();
     let Some(row) = sinkages.iter().position(|&sinkage| sinkage > radius) else { return true };
     let figures = sinkage_figures(sinkages[row], radius);
-    data.place_of(&SINKAGE).item(row).report(figures, Error::SinkageOutsideWheel { sinkage: sinkages[row], radius });
+    let error = Error::SinkageOutsideWheel { sinkage: sinkages[row], radius };
+    let meant = meant_in_metres(sinkages[row], radius);
+    data.place_of(&SINKAGE).item(row).report(figures, format_args!("{error}{meant}"));
     false
 }
 

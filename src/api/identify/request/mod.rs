@@ -22,6 +22,7 @@ use crate::request::method::{LAMBDAS, METHOD_OF_FIT, STRESSES};
 use crate::request::sinkage::SLIP_SINKAGE;
 use crate::request::soil::LawOrigin;
 use crate::request::system::{CONTACT, SOIL, WHEEL};
+use crate::request::unused::Unused;
 use crate::request::{Documented, Request};
 
 const PARTIAL_SOIL: Field<&Object> = Field {
@@ -69,6 +70,8 @@ pub(crate) struct FitCase {
     pub(crate) options: FitOptions,
     /// Whether the preset's law gave way to the direct one, whose modulus is fitted.
     pub(crate) law_replaced: bool,
+    /// What was sent and is not read.
+    pub(crate) unused: Unused,
 }
 
 /// A linear estimate, checked: slip, sinkage, a load and torque were measured.
@@ -77,6 +80,8 @@ pub(crate) struct LinearCase {
     pub(crate) observations: Observations,
     /// Whether the pressure–sinkage law of the setup is that of the soil.
     pub(crate) law_known: bool,
+    /// What was sent and is not read.
+    pub(crate) unused: Unused,
 }
 
 /// What is asked for.
@@ -121,10 +126,10 @@ impl Request for IdentifyCase {
         };
         let found = setup::read(object, &sought, data.as_ref());
         let observations = data.as_ref().and_then(|data| observations(object, data, found.wheel.as_ref()));
-        let (Found { setup, law, .. }, fitted) = (found, fitted?);
+        let (Found { setup, law, unused, .. }, fitted) = (found, fitted?);
         let (setup, law) = (setup?, law?);
         if estimator? == Estimator::Linear {
-            let case = LinearCase { setup, observations: observations?, law_known: law != LawOrigin::Absent };
+            let case = LinearCase { setup, observations: observations?, law_known: law != LawOrigin::Absent, unused };
             return linear::check(object, &fitted, &case).then(|| Self::Linear(Box::new(case)));
         }
         let sought: Option<Vec<Sought>> =
@@ -133,7 +138,7 @@ impl Request for IdentifyCase {
         check_columns(object, &data?, &setup, &observations)?;
         let options = FitOptions { starts: count? as u32, loss: loss?, evaluations: EVALUATIONS, until: None };
         let law_replaced = law == LawOrigin::Replaced;
-        Some(Self::Fit(Box::new(FitCase { setup, observations, sought, options, law_replaced })))
+        Some(Self::Fit(Box::new(FitCase { setup, observations, sought, options, law_replaced, unused })))
     }
 }
 

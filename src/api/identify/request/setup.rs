@@ -1,6 +1,8 @@
 //! The forward model of a fit: what is known of it, and the starts of what is fitted.
 
-use terramechanics::{Contact, ContactParams, ForceModel, Method, PeakRule, SlipSinkage, Soil, SoilParams, Wheel, WongReece};
+use terramechanics::{
+    Contact, ContactParams, ForceModel, Method, PeakRule, SlipSinkage, Soil, SoilParams, Wheel, WheelOnSoil, WongReece,
+};
 use terramechanics_identification::{Home, Setup, SinkageSource, Unknown};
 use terramechanics_reading::Reader;
 
@@ -13,6 +15,7 @@ use crate::request::sinkage;
 use crate::request::soil::{self, FoundSoil, LawOrigin, Needs};
 use crate::request::system::{self, CONTACT};
 use crate::request::unknowns::{self, By};
+use crate::request::unused::{Reads, Unused};
 
 /// What is sought, and where from.
 pub(super) struct Sought<'a> {
@@ -37,6 +40,8 @@ pub(super) struct Found {
     pub(super) setup: Option<Setup>,
     pub(super) wheel: Option<Wheel>,
     pub(super) law: Option<LawOrigin>,
+    /// What was sent and is not read.
+    pub(super) unused: Unused,
 }
 
 /// The forward model, with starts for what is fitted and known nowhere.
@@ -71,7 +76,16 @@ pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reade
             sinkage: source?,
         })
     };
-    Found { setup: setup(), wheel, law: soil.map(|soil| soil.law) }
+    let reads = |method: &Method| match sought.needs_law {
+        true => Reads::by(method, source == Some(SinkageSource::UnderLoad)),
+        // What the linear estimator has no use for, it refuses.
+        false => Reads::STRESSES,
+    };
+    let unused = || {
+        let system = WheelOnSoil { wheel: wheel?, soil: soil?.soil, contact: contact? };
+        Some(Unused::of(object, reads(&method?), &system))
+    };
+    Found { setup: setup(), wheel, law: soil.map(|soil| soil.law), unused: unused().unwrap_or_default() }
 }
 
 /// The soil; one of which nothing is said has to be fitted as a whole.

@@ -4,6 +4,7 @@ use terramechanics_optimum::Refusal;
 use terramechanics_reading::{Assumption, FieldFault};
 
 use crate::api::optimum::request::Sought;
+use crate::problem::Problem;
 use crate::quantity::About;
 use crate::varied::{RowStatus, Template, Varied, tell_invalid};
 use crate::warning::{Tally, Warning, of_assumptions};
@@ -97,13 +98,13 @@ impl<'s, R: Varied> Asked<'s, R> {
     }
 
     /// Why none of so many points could be used: the request has no answer anywhere, or a formula has no value where it has one.
-    pub(super) fn no_answer(&mut self, evaluations: u32) -> Vec<FieldFault> {
+    pub(super) fn no_answer(&mut self, evaluations: u32) -> Problem {
         let answered = self.answered;
         if answered == 0 {
-            let reason = std::mem::take(&mut self.tally).into_warnings().first().map(Warning::detail);
+            let (reason, hints) = self.first_reason();
             let reason = reason.map_or_else(String::new, |reason| format!(". The first: {reason}"));
             let detail = format!("has no answer at any of {evaluations} points within the bounds{reason}");
-            return vec![FieldFault::new("/request", detail)];
+            return Problem::Refused(vec![FieldFault::new("/request", detail)], hints);
         }
         let why = if self.stuck == answered { ", because the rover climbs its slope at none of them" } else { "" };
         let goals = &self.sought.goals;
@@ -116,7 +117,7 @@ impl<'s, R: Varied> Asked<'s, R> {
         });
         let never: Vec<FieldFault> = never.collect();
         if !never.is_empty() {
-            return never;
+            return Problem::Invalid(never);
         }
         let rarest = told().min_by_key(|(_, finite)| **finite);
         let fault = rarest.map(|((formula, pointer), finite)| {
@@ -126,7 +127,14 @@ impl<'s, R: Varied> Asked<'s, R> {
             );
             FieldFault::new(pointer, detail)
         });
-        fault.into_iter().collect()
+        Problem::Invalid(fault.into_iter().collect())
+    }
+
+    /// Why a point had no answer, and what of the request may be meant otherwise.
+    fn first_reason(&mut self) -> (Option<String>, Vec<Warning>) {
+        let (hints, reasons): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut self.tally).into_warnings().into_iter().partition(Warning::is_hint);
+        (reasons.first().map(Warning::detail), hints)
     }
 }
 

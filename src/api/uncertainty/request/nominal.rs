@@ -34,6 +34,11 @@ pub(super) fn nominal(tree: &Node<'_>, path: &Path) -> Option<(f64, Option<Assum
     let may_assume = matches!(tree.under(&[ASSUME.name.to_owned()]), Some(Node::Flag(true)));
     let field = names[at..].join(".");
     let substitute = substitutes.iter().find(|substitute| may_assume && substitute.field == field)?;
-    let assumed = Assumption { field: path.dotted(), value: substitute.value, reason: substitute.reason.clone() };
+    let assumed = Assumption {
+        field: path.dotted(),
+        preset: preset.to_owned(),
+        value: substitute.value,
+        reason: substitute.reason.clone(),
+    };
     Some((substitute.value, Some(assumed)))
 }

@@ -16,6 +16,7 @@ use crate::request::circles::CIRCLES;
 use crate::request::laws::{field, field_or_default, number, number_or_default};
 use crate::request::method::{self, LAMBDAS, METHOD, METHOD_FIELD, NORMAL_STRESS_RADIUS, PEAK_SINKAGE, STRESSES};
 use crate::request::system::CONTACT;
+use crate::request::unused::Unused;
 use crate::request::{Documented, Request};
 use drive::DRIVE;
 use ruts::{RUT, UNLOADING};
@@ -41,7 +42,7 @@ const SLIP_LIMIT: Field<Number> = Field::new(
 );
 const FORWARD_VELOCITY: Field<Number> = Field::new(
     Velocities::FORWARD.name,
-    "Velocity v of the rover (m/s), for the power.",
+    "Velocity v of the rover (m/s), for the power. It is not negative: a rover that backs down drives forward with its stations in the other order, on the slope with the other sign.",
     Number::new("m/s", 0.0, Velocities::FORWARD.most),
 );
 
@@ -50,6 +51,8 @@ pub(crate) struct VehicleCase {
     pub(crate) vehicle: Vehicle,
     /// Whether each station has a soil of its own.
     pub(crate) have_own_soil: Vec<bool>,
+    /// What was sent and is not read.
+    pub(crate) unused: Unused,
     pub(crate) slopes: Slopes,
     pub(crate) hitch_pull: f64,
     pub(crate) slip_limit: f64,
@@ -102,7 +105,7 @@ impl Request for VehicleCase {
         let method = method::read(object, peak_depth.flatten());
         peak_depth?;
         let model = ForceModel { method: method?, normal_stress_radius: normal_stress_radius? };
-        let FoundStations { stations, have_own_soil } = stations?;
+        let FoundStations { stations, have_own_soil, unused } = stations?;
         let of_soil = stations.first().and_then(|station| station.system.soil.gravity());
         let gravity = gravity?.or(of_soil).unwrap_or(STANDARD_GRAVITY);
         let (centre_of_mass, unloading) = (centre_of_mass?, unloading?);
@@ -110,7 +113,7 @@ impl Request for VehicleCase {
         let params = VehicleParams { mass: mass?, gravity, stations, centre_of_mass, hitch_height, drive, model, unloading };
         let vehicle = Vehicle::new(params).map_err(|error| report(object, &error)).ok()?;
         let (hitch_pull, slip_limit) = (hitch_pull?, slip_limit?);
-        Some(Self { vehicle, have_own_soil, slopes: slopes?, hitch_pull, slip_limit, velocity: velocity? })
+        Some(Self { vehicle, have_own_soil, unused, slopes: slopes?, hitch_pull, slip_limit, velocity: velocity? })
     }
 }
 

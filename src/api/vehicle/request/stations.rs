@@ -7,6 +7,7 @@ use super::drive::{TURNING, turning};
 use crate::request::laws::{number, number_or_default};
 use crate::request::soil::{self, FoundSoil};
 use crate::request::system::{CONTACT, WHEEL, read_contact, read_wheel};
+use crate::request::unused::{Reads, Unused};
 use crate::request::{circles, method};
 
 /// Most wheels of a rover.
@@ -61,6 +62,8 @@ pub(super) fn centre_of_mass(object: &Reader<'_>) -> Option<Option<CentreOfMass>
 pub(super) struct FoundStations {
     pub(super) stations: Vec<Station>,
     pub(super) have_own_soil: Vec<bool>,
+    /// What was sent and is not read.
+    pub(super) unused: Unused,
 }
 
 /// The ground that wheels share.
@@ -101,10 +104,16 @@ pub(super) fn read(object: &Reader<'_>) -> Option<FoundStations> {
             let Ground { soil, contact, .. } = ground()?;
             let system = WheelOnSoil { wheel: wheel?, soil: soil?.soil, contact: contact.with_braking(Braking::OneZone) };
             let station = Station { position: None, count: count? as u32, system, turning: Turning::Together };
-            Some(FoundStations { stations: vec![station], have_own_soil: vec![false] })
+            let unused = Unused::of(object, reads(object)?, &system);
+            Some(FoundStations { stations: vec![station], have_own_soil: vec![false], unused })
         }
         (false, true) => stations(object, ground),
     }
+}
+
+/// What the method of the rover reads, if it is one.
+fn reads(object: &Reader<'_>) -> Option<Reads> {
+    method::peeked(object).map(|method| Reads::by(&method, false))
 }
 
 fn stations(object: &Reader<'_>, ground: impl Fn() -> Option<Ground>) -> Option<FoundStations> {
@@ -112,6 +121,8 @@ fn stations(object: &Reader<'_>, ground: impl Fn() -> Option<Ground>) -> Option<
     let items = object.optional(&STATIONS)??;
     let ground = ground();
     let mut lacks_soil = false;
+    let reads = reads(object);
+    let mut unused = Unused::default();
     let read = items.each(|station, _| {
         let (position, wheel, turning) = (station.required(&X), read_wheel(station), turning(station));
         let own = station.optional(&OWN_SOIL)?.map(|own| soil::read(&own, needs));
@@ -119,6 +130,9 @@ fn stations(object: &Reader<'_>, ground: impl Fn() -> Option<Ground>) -> Option<
         let (soil, contact) = match (own, ground.as_ref()?) {
             (Some(own), ground) => {
                 let own = own?;
+                if let (Some(sent), Some(reads)) = (station.within(&OWN_SOIL), reads) {
+                    unused.add_soil(&sent, reads, &own.soil);
+                }
                 let contact = if ground.is_chosen {
                     ground.contact
                 } else {
@@ -138,6 +152,13 @@ fn stations(object: &Reader<'_>, ground: impl Fn() -> Option<Ground>) -> Option<
     if lacks_soil {
         object.place_of(&SOIL).fault("is required, or a `soil` in every station");
     }
-    let (stations, have_own_soil) = read?.into_iter().unzip();
-    Some(FoundStations { stations, have_own_soil })
+    let (stations, have_own_soil): (Vec<Station>, Vec<bool>) = read?.into_iter().unzip();
+    let first = stations.first().map(|station| station.system)?;
+    unused.extend(Unused::beside_soil(object, reads?, &first.contact));
+    match (ground?.soil, object.within(&SOIL), have_own_soil.iter().all(|has| *has)) {
+        (Some(shared), Some(sent), false) => unused.add_soil(&sent, reads?, &shared.soil),
+        // Every wheel has a soil of its own.
+        _ => unused.add(object, &SOIL, false),
+    }
+    Some(FoundStations { stations, have_own_soil, unused })
 }
