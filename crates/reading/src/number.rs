@@ -1,6 +1,9 @@
 //! Numbers with a unit and bounds.
 
 mod kind;
+mod meant;
+
+pub use meant::in_millimetres;
 
 use std::borrow::Cow;
 use std::fmt;
@@ -9,9 +12,10 @@ use utoipa::openapi::extensions::Extensions;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, SchemaType, Type};
 
 use crate::fault::{Figures, Scope};
+use meant::Hint;
 
 /// A number with a unit and bounds.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number {
     unit: &'static str,
     symbol: &'static str,
@@ -24,7 +28,7 @@ pub struct Number {
     /// Whether it may follow from other fields.
     pub(crate) follows: bool,
     /// What else may be meant by a number that is out of bounds.
-    hint: Option<fn(f64) -> String>,
+    hint: Option<Hint>,
     default: Option<f64>,
 }
 
@@ -80,7 +84,7 @@ impl Number {
     /// With what else may be meant by a number that is out of bounds, as it continues behind the fault.
     #[must_use]
     pub const fn or_meant(self, hint: fn(f64) -> String) -> Self {
-        Self { hint: Some(hint), ..self }
+        Self { hint: Some(Hint(hint)), ..self }
     }
 
     /// A parameter of a tagged object that may follow from fields elsewhere: the contract does not require it, and that it is absent
@@ -170,22 +174,6 @@ impl Number {
         }
     }
 
-    /// The number that was probably meant by one that is out of bounds, in words.
-    fn meant_by(&self, value: f64) -> String {
-        let also = self.hint.map_or_else(String::new, |hint| hint(value));
-        let meant = match self.unit {
-            "rad" if value.abs() <= 180.0 && self.allows(value.to_radians()) => {
-                format!("; it is in radians: {value}° are {:.4}", value.to_radians())
-            }
-            "m" if value > self.max && self.allows(value / 1000.0) => in_millimetres(value),
-            _ if self.share && value.abs() <= 100.0 && self.allows(value / 100.0) => {
-                format!("; it is a share: {value} % are {}", value / 100.0)
-            }
-            _ => String::new(),
-        };
-        meant + &also
-    }
-
     /// Its unit as a UCUM code; none where one number stands for several of different units.
     fn ucum(&self) -> Option<Cow<'static, str>> {
         match self.unit {
@@ -228,12 +216,6 @@ impl Number {
         let item = self.described(None);
         if gaps { item.schema_type(SchemaType::from_iter([Type::Number, Type::Null])).format(None) } else { item }
     }
-}
-
-/// What a length would be in millimetres, for a message.
-#[must_use]
-pub fn in_millimetres(value: f64) -> String {
-    format!("; it is in metres: {value} mm are {}", value / 1000.0)
 }
 
 /// A number as people write it: with an exponent only where zeros would have to be counted.
