@@ -2,7 +2,7 @@
 
 use terramechanics::OperatingPoint;
 
-use super::record::Points;
+use super::points::Points;
 use crate::quantity::About;
 
 /// A quantity that is measured and predicted.

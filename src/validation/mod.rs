@@ -8,6 +8,7 @@
 mod compared;
 mod held_out;
 mod inputs;
+mod points;
 mod pooled;
 mod prediction;
 mod record;

@@ -8,6 +8,7 @@ use terramechanics::Soil;
 use utoipa::ToSchema;
 
 use super::inputs::InputsOfOrigin;
+use super::points::Points;
 use super::run::{Run, runs_of};
 use super::side_slip::SideSlipOfSet;
 use crate::catalogue;
@@ -62,33 +63,6 @@ enum Measured {
     SameAs(String),
 }
 
-/// Measurements by slip as published; a quantity that was not measured is left out.
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Points {
-    normal_load_n: Load,
-    pub(crate) slip: Vec<f64>,
-    pub(super) longitudinal_force_n: Option<Vec<Option<f64>>>,
-    pub(super) sinkage_m: Option<Vec<Option<f64>>>,
-    pub(super) torque_n_m: Option<Vec<Option<f64>>>,
-    pub(super) lateral_force_n: Option<Vec<Option<f64>>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(untagged)]
-enum Load {
-    /// The same at every point (N).
-    Constant(f64),
-    /// Measured at each point (N).
-    Measured(Vec<f64>),
-}
-
-impl Default for Load {
-    fn default() -> Self {
-        Self::Measured(Vec::new())
-    }
-}
-
 impl Record {
     /// The measurements, its own or those it shares; none where a record names a set that is not there.
     pub(crate) fn points(&self) -> &Points {
@@ -138,20 +112,5 @@ impl Record {
         let name = Soil::BULK_DENSITY.name;
         let preset = self.soil["preset"].as_str().and_then(catalogue::soil);
         self.soil[name].is_number() || preset.is_some_and(|record| record.number(name).is_some())
-    }
-}
-
-impl Points {
-    /// Sinkage (m) at a point, where it was measured.
-    pub(super) fn sinkage_at(&self, row: usize) -> Option<f64> {
-        self.sinkage_m.as_ref()?.get(row).copied().flatten()
-    }
-
-    /// Load W at each point (N).
-    pub(crate) fn load(&self) -> Vec<f64> {
-        match &self.normal_load_n {
-            Load::Constant(load) => vec![*load; self.slip.len()],
-            Load::Measured(loads) => loads.clone(),
-        }
     }
 }

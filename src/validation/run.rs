@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::record::Points;
+use super::points::Points;
 
 /// One way to predict the points of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
