@@ -8,11 +8,12 @@ use super::record::{Grade, Values};
 /// other as its tests repeat, which says nothing of other soils.
 const FEWEST_SOURCES: usize = 3;
 
-/// The median of numbers in ascending order; of an even number of them, the mean of the two in the middle.
+/// The median of numbers in ascending order; of an even number of them, the mean of the two in the middle, as a decimal.
 fn median(ascending: &[f64]) -> Option<f64> {
     let upper = ascending.get(ascending.len() / 2)?;
     let lower = ascending.get(ascending.len().checked_sub(1)? / 2)?;
-    Some(0.5 * (lower + upper))
+    // Published numbers are short decimals, and so is their mean, but for the last digits of a sum of binary numbers.
+    format!("{:.12e}", 0.5 * (lower + upper)).parse().ok()
 }
 
 /// A published value and what published it.
@@ -82,24 +83,42 @@ fn counted(count: usize, [one, several]: [&str; 2]) -> String {
     if count == 1 { format!("1 {one}") } else { format!("{count} {several}") }
 }
 
-/// The spread over the entries of a kind, where that has enough sources, else over all; and what it is in words.
-pub(super) fn of_kind_or_all(
+/// Entries from which a value may be taken.
+pub(super) struct Alike<'a> {
+    /// Which they are, behind their noun.
+    pub(super) which: &'a str,
+    pub(super) spread: Option<Spread>,
+}
+
+/// The spread over the entries of a kind, where that has enough sources, else over the first of `wider` that has, the last of them
+/// being all; and what it is in words.
+pub(super) fn of_kind_or_wider(
     kind: &str,
     what: &str,
     entries: [&str; 2],
-    published: impl Fn(bool) -> Option<Spread>,
+    of_kind: Option<Spread>,
+    wider: impl IntoIterator<Item = Alike<'static>>,
 ) -> Option<(String, Spread)> {
-    let of_kind = published(true);
     let sources = of_kind.as_ref().map_or(0, |spread| spread.sources);
-    if let Some(spread) = of_kind.filter(|spread| spread.sources >= FEWEST_SOURCES) {
+    let are_enough = |spread: &Spread| spread.sources >= FEWEST_SOURCES;
+    if let Some(spread) = of_kind.filter(are_enough) {
         return Some((spread.in_words(what, entries, &format!("of the kind `{kind}`")), spread));
     }
-    let spread = published(false)?;
+    let mut chosen = None;
+    for Alike { which, spread } in wider {
+        let Some(spread) = spread else { continue };
+        let is_enough = are_enough(&spread);
+        chosen = Some((which, spread));
+        if is_enough {
+            break;
+        }
+    }
+    let (which, spread) = chosen?;
     let few = match sources {
         0 => format!("none of the kind `{kind}` does"),
         few => format!("the kind `{kind}` has {}, too few for a range of its own", of_sources(few)),
     };
-    Some((format!("{}; {few}", spread.in_words(what, entries, "of the catalogue")), spread))
+    Some((format!("{}; {few}", spread.in_words(what, entries, which)), spread))
 }
 
 /// What was published of a value by those who measured or quoted it. What was itself assigned from elsewhere does not count.
@@ -117,6 +136,7 @@ mod tests {
             [median(&[]), median(&[3.0]), median(&[1.0, 2.0]), median(&[1.0, 2.0, 9.0])],
             [None, Some(3.0), Some(1.5), Some(2.0)]
         );
+        assert_eq!(median(&[0.0114, 0.013]), Some(0.0122));
     }
 
     #[test]

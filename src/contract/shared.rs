@@ -35,7 +35,7 @@ fn failure_name(response: &Response) -> Option<String> {
     let content = response.content.get("application/problem+json")?;
     let RefOr::T(content) = content else { return None };
     let kind = content.example.as_ref()?.get("type")?.as_str()?;
-    Some(component_name(kind.rsplit(':').next()?.split('-')))
+    Some(component_name(kind.rsplit('/').next()?.split('-')))
 }
 
 /// The name of a parameter.

@@ -47,9 +47,10 @@ pub(crate) fn with_a_name(path: &str) -> String {
     let name = match path {
         "/v1/wheels/{id}" => "letter",
         "/v1/soils/{id}" => "letter-sand",
+        "/problems/{name}" => "busy",
         _ => "ding-2011-smooth",
     };
-    path.replace("{id}", name)
+    path.replace("{id}", name).replace("{name}", name)
 }
 
 #[test]
@@ -122,6 +123,8 @@ fn the_document_has_the_routes_of_the_api() {
         "get /healthz",
         "get /metrics",
         "get /openapi.json",
+        "get /problems",
+        "get /problems/{name}",
         "get /readyz",
         "get /v1/forces",
         "get /v1/limits",
@@ -213,8 +216,8 @@ fn every_operation_says_what_it_does_and_how_it_fails() {
             "post" if path == "/v1/batch" => expected.extend(["400", "408", "415", "422"]),
             "post" => expected.extend(["400", "408", "413", "415", "422"]),
             // A query is refused where it has no effect as well.
-            _ if path.contains("{id}") => expected.extend(["404", "422"]),
-            _ if path.starts_with("/v1/") || path == "/openapi.json" => expected.push("422"),
+            _ if path.contains('{') => expected.extend(["404", "422"]),
+            _ if path.starts_with("/v1/") || ["/openapi.json", "/problems"].contains(&path.as_str()) => expected.push("422"),
             _ => {}
         }
         assert_eq!(responses.keys().map(String::as_str).collect::<BTreeSet<_>>(), expected.into_iter().collect(), "{path}");

@@ -109,7 +109,10 @@ fn what_the_method_lacks_is_named() {
     let fault = |soil: Value, pointer: &str| {
         post("/v1/forces", &with(&grains(json!({"soil": null})), json!({"soil": soil}))).fault(pointer)
     };
-    assert_eq!(fault(json!({"friction_angle_rad": 0.6}), "/soil/bulk_density_kg_m3"), "is required");
+    assert_eq!(
+        fault(json!({"friction_angle_rad": 0.6}), "/soil/bulk_density_kg_m3"),
+        "is required; or give `granular_stiffness_n_m3`"
+    );
     assert_eq!(fault(json!({"bulk_density_kg_m3": 1600}), "/soil/friction_angle_rad"), "is required");
     let smooth = fault(json!({"bulk_density_kg_m3": 1600, "friction_angle_rad": 0}), "/soil/friction_angle_rad");
     assert!(smooth.starts_with("must be greater than 0"), "{smooth}");

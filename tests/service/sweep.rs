@@ -276,7 +276,7 @@ fn a_streamed_sweep_is_held_to_the_limit_that_is_published() {
     let published = send_to(Service::new(limits), request("GET", "/v1/limits", &[], "")).ok()["price"].clone();
     assert_eq!((&published["stream_limit_s"], &published["limit_s"]), (&json!(1.0), &json!(60.0)));
     let problem = ask("text/csv").problem(422);
-    assert_eq!(problem["type"], "urn:terramechanics:problem:too-costly");
+    assert_eq!(problem["type"], "/problems/too-costly");
     assert!(problem["detail"].as_str().expect("a detail").contains("1 s is the most"), "{problem}");
     assert!(ask("application/json").ok()["columns"]["status"].as_array().is_some_and(|rows| rows.len() == 1000));
 }
