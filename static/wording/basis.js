@@ -26,10 +26,13 @@ function loadBasis({ given }, { normal_stress_from: from, sinkage_modulus: modul
 /** @param {Settings} settings @param {Forces} forces @returns {Basis[]} */
 function circleBasis({ drawing: { lugHeight } }, { slip_radius: slip, shear_displacement_radius: shear }) {
   if (!(lugHeight > 0)) return [];
+  // Dry grains have no shear displacement.
+  const [alsoShear, briefShear] = shear === null ? ["", ""]
+    : [`, the shear displacement at ${CIRCLE_NAMES[shear]}`, `, shear at ${CIRCLE_NAMES[shear]}`];
   return [{
     key: "circles",
-    text: `The slip is counted at ${CIRCLE_NAMES[slip]}, the shear displacement at ${CIRCLE_NAMES[shear]}.`,
-    brief: `slip at ${CIRCLE_NAMES[slip]}, shear at ${CIRCLE_NAMES[shear]}`,
+    text: `The slip is counted at ${CIRCLE_NAMES[slip]}${alsoShear}.`,
+    brief: `slip at ${CIRCLE_NAMES[slip]}${briefShear}`,
   }];
 }
 
