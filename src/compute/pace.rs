@@ -65,6 +65,22 @@ impl Pace {
         Self(None)
     }
 
+    /// The pace of work whose caller has gone.
+    #[cfg(test)]
+    pub(crate) fn of_nobody() -> Self {
+        let time = AT_ONCE;
+        let terms = Terms { gone: Arc::new(AtomicBool::new(true)), time, deadline: Instant::now() + time, most: time };
+        Self(Some(OnPool {
+            turns: Turns::new(1),
+            turn: RefCell::new(None),
+            terms,
+            slice_end: Cell::new(Instant::now() + SLICE),
+            began: processor_time(),
+            looks: Cell::new(0),
+            stop: Cell::new(None),
+        }))
+    }
+
     /// The pace of work that has its turn from now on.
     pub(super) fn of(turns: &Turns, turn: Turn, terms: Terms) -> Self {
         Self(Some(OnPool {

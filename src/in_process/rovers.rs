@@ -6,6 +6,7 @@ use terramechanics_reading::Node;
 
 use crate::api::batch::{Answers, in_words};
 use crate::api::vehicle::{VehicleCase, rover_columns};
+use crate::compute::Pace;
 use crate::quantity::About;
 use crate::rows::{Block, Columns};
 use crate::varied::{Templates, Varied};
@@ -77,7 +78,7 @@ impl RoverRows {
         let found = match case.map(|case| (case, case.refusal())) {
             Ok((case, None)) => {
                 answers.has_case = true;
-                match case.answer(plan.with_largest, cells, &mut answers.tally) {
+                match case.answer(plan.with_largest, cells, &mut answers.tally, &Pace::at_once()) {
                     Ok(()) => return None,
                     Err(error) => {
                         let (status, fault) = case.refused(&error);

@@ -3,7 +3,7 @@
 use terramechanics_reading::{FieldFault, Path};
 
 use super::setter::{IsSent, Setter};
-use crate::compute::Cost;
+use crate::compute::{Cost, Pace};
 use crate::quantity::About;
 use crate::request::Request;
 use crate::warning::{Finding, Tally};
@@ -64,8 +64,8 @@ pub(crate) trait Varied: Request + Sync {
     }
 
     /// Adds the numbers of the row to `cells`, one for each column, NaN where there is none; what is to be said of them goes into
-    /// `tally`.
-    fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus;
+    /// `tally`. A row that `pace` ends on the way says no more than that it has no answer.
+    fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally, pace: &Pace) -> RowStatus;
 }
 
 /// What is to be said of a row whose values make no request.

@@ -6,7 +6,7 @@ use terramechanics_reading::Path;
 use super::direct;
 use super::request::ForcesCase;
 use crate::catalogue;
-use crate::compute::Cost;
+use crate::compute::{Cost, Pace};
 use crate::quantity::{About, Point, PointValue, point_columns};
 use crate::request::error_pointer;
 use crate::request::pull::SlipFrom;
@@ -44,7 +44,7 @@ impl Varied for ForcesCase {
         direct::set_numbers(self, setters, values).is_some()
     }
 
-    fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
+    fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally, _: &Pace) -> RowStatus {
         let columns = point_columns(&self.operation, self.is_sideways()).map(|(_, value)| value);
         match self.answer(columns, tally, |number| cells.push(number)) {
             Ok(()) => RowStatus::Ok,

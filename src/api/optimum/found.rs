@@ -109,7 +109,7 @@ pub(super) struct FoundFront {
 /// # Errors
 /// That the work is to end, or that the operation has no answer anywhere.
 pub(super) fn found<R: Varied>(sought: &Sought<R>, pace: &Pace) -> Result<Found, Problem> {
-    let mut asked = Asked::of(sought);
+    let mut asked = Asked::of(sought, pace);
     let task = task(sought).ok_or(Problem::Internal)?;
     let mut function = |values: &[f64]| if pace.goes_on() { asked.outputs(values) } else { Err(Refusal::Stop) };
     match &sought.goals.against {

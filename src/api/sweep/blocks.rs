@@ -8,7 +8,7 @@ use axum::body::Bytes;
 
 use super::found::{FoundGrid, Running};
 use super::reply::{STATUS, names};
-use crate::compute::SLICE;
+use crate::compute::{Pace, SLICE};
 use crate::extract::RowsForm;
 use crate::problem::Problem;
 use crate::quantity::Cell;
@@ -99,7 +99,7 @@ impl<R: Varied> Block<R> {
     /// Computes a row; false after the last.
     fn row(&mut self) -> bool {
         self.cells.clear();
-        let Some(status) = self.running.next_row(&mut self.cells) else { return false };
+        let Some(status) = self.running.next_row(&mut self.cells, &Pace::at_once()) else { return false };
         match &self.plan.writer {
             Writer::Text(format) => {
                 let cells = self.cells.iter().copied().map(Cell::Number).chain([Cell::Word(status.name())]);

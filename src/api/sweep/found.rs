@@ -7,6 +7,7 @@ use terramechanics_reading::Assumption;
 
 use super::grid::Grid;
 use super::request::Sweep;
+use crate::compute::Pace;
 use crate::quantity::About;
 use crate::varied::{RowStatus, Template, Varied, tell_invalid};
 use crate::warning::{Tally, Warning, of_assumptions};
@@ -87,7 +88,7 @@ impl<R: Varied> Running<R> {
     }
 
     /// The next row: the values of the axes and of the columns into `cells`, and how it went; none after the last.
-    pub(super) fn next_row(&mut self, cells: &mut Vec<f64>) -> Option<RowStatus> {
+    pub(super) fn next_row(&mut self, cells: &mut Vec<f64>, pace: &Pace) -> Option<RowStatus> {
         let next = self.rows.next()?;
         self.values.clear();
         self.row.clear();
@@ -95,7 +96,7 @@ impl<R: Varied> Running<R> {
         self.tally.begin_row();
         cells.extend_from_slice(&self.values);
         let status = match self.template.case(&self.values) {
-            Ok(case) => case.row(&mut self.row, &mut self.tally),
+            Ok(case) => case.row(&mut self.row, &mut self.tally, pace),
             Err(faults) => tell_invalid(faults, &mut self.tally),
         };
         cells.extend(self.kept.iter().map(|&i| self.row.get(i).copied().unwrap_or(f64::NAN)));

@@ -52,7 +52,7 @@ impl GridReply {
         loop {
             pace.look()?;
             cells.clear();
-            let Some(of_row) = running.next_row(&mut cells) else { break };
+            let Some(of_row) = running.next_row(&mut cells, pace) else { break };
             lists.iter_mut().zip(&cells).for_each(|(list, cell)| list.push(*cell));
             status.push(of_row.name());
         }

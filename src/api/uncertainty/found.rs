@@ -68,7 +68,7 @@ pub(super) fn bands<R: Varied>(case: &Uncertainty<R>, pace: &Pace) -> Result<Fou
             let tally = if is_sample { &mut tally } else { &mut unheard };
             tally.begin_row();
             let status = match template.case(&values) {
-                Ok(case) => case.row(&mut cells, tally),
+                Ok(case) => case.row(&mut cells, tally, pace),
                 Err(faults) => tell_invalid(faults, tally),
             };
             if is_sample && let Some(at) = RowStatus::ALL.iter().position(|known| *known == status) {

@@ -8,7 +8,7 @@ use super::refusal;
 use super::reply::{COLUMNS, row};
 use super::request::{Slopes, VehicleCase};
 use crate::catalogue;
-use crate::compute::Cost;
+use crate::compute::{Cost, Pace};
 use crate::quantity::About;
 use crate::varied::{RowStatus, Varied};
 use crate::warning::{Finding, Tally};
@@ -42,8 +42,8 @@ impl Varied for VehicleCase {
         Cost::of_rovers(&self.vehicle, rows)
     }
 
-    fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
-        let found = self.answer(true, cells, tally);
+    fn row(&self, cells: &mut Vec<f64>, tally: &mut Tally, pace: &Pace) -> RowStatus {
+        let found = self.answer(true, cells, tally, pace);
         found.map_or_else(|error| status(&error), |()| RowStatus::Ok)
     }
 }
@@ -59,14 +59,21 @@ impl VehicleCase {
     ///
     /// # Errors
     /// What the model refuses, which is in the tally then.
-    pub(crate) fn answer(&self, with_largest: bool, cells: &mut Vec<f64>, tally: &mut Tally) -> Result<(), VehicleError> {
+    pub(crate) fn answer(
+        &self,
+        with_largest: bool,
+        cells: &mut Vec<f64>,
+        tally: &mut Tally,
+        pace: &Pace,
+    ) -> Result<(), VehicleError> {
         let Self { vehicle, slopes, hitch_pull, slip_limit, velocity, .. } = self;
         let slope = slopes.as_slice().first().copied().unwrap_or(f64::NAN);
-        let on = vehicle.on_slope(slope, *hitch_pull);
+        let on = vehicle.on_slope_while(slope, *hitch_pull, &|| pace.goes_on());
         let climbs = on.as_ref().is_ok_and(|on| on.driven.slip.ratio() <= *slip_limit);
         let found = FoundSlope { slope, needed_pull: vehicle.needed_pull(slope, *hitch_pull), climbs, on };
         cells.extend(row(&found, *velocity));
-        let largest = with_largest.then(|| vehicle.largest_slope(*hitch_pull, *slip_limit).ok()).flatten();
+        let largest =
+            with_largest.then(|| vehicle.largest_slope_while(*hitch_pull, *slip_limit, &|| pace.goes_on()).ok()).flatten();
         cells.push(largest.map_or(f64::NAN, |largest| largest.slope));
         if let Some(finding) = self.unused.finding() {
             tally.finding(finding);
@@ -94,5 +101,20 @@ impl VehicleCase {
     /// How a row went that was refused, and the fault of a request with its numbers.
     pub(crate) fn refused(&self, error: &VehicleError) -> (RowStatus, FieldFault) {
         (status(error), refusal::fault(error, &self.have_own_soil))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::api::room::Room;
+    use crate::request::checked;
+
+    #[test]
+    fn a_rover_that_nobody_waits_for_is_not_computed() {
+        let request = VehicleCase::example();
+        let case: VehicleCase = checked(&(&request).into()).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let status = |pace: &Pace| case.row(&mut Vec::new(), &mut Tally::default(), pace);
+        assert_eq!((status(&Pace::at_once()), status(&Pace::of_nobody())), (RowStatus::Ok, RowStatus::NoSolution));
     }
 }

@@ -4,6 +4,7 @@ use terramechanics_optimum::Refusal;
 use terramechanics_reading::{Assumption, FieldFault};
 
 use crate::api::optimum::request::Sought;
+use crate::compute::Pace;
 use crate::problem::Problem;
 use crate::quantity::About;
 use crate::varied::{RowStatus, Template, Varied, tell_invalid};
@@ -12,6 +13,7 @@ use crate::warning::{Tally, Warning, of_assumptions};
 /// The operation, asked with one set of values after the other.
 pub(super) struct Asked<'s, R> {
     sought: &'s Sought<R>,
+    pace: &'s Pace,
     template: Template<R>,
     cells: Vec<f64>,
     /// The constraint that the rover climbs, by its place among the outputs, and the column that says whether it does.
@@ -35,14 +37,14 @@ pub(super) struct FullRow {
 type FullRows = (Vec<(&'static About, Vec<f64>)>, Vec<Warning>, Option<Vec<Assumption>>);
 
 impl<'s, R: Varied> Asked<'s, R> {
-    pub(super) fn of(sought: &'s Sought<R>) -> Self {
+    pub(super) fn of(sought: &'s Sought<R>, pace: &'s Pace) -> Self {
         let (goals, columns) = (&sought.goals, sought.sample.columns());
         let climbs = columns.iter().position(|about| about.name == CLIMBS);
         let first = 1 + usize::from(goals.against.is_some());
         let climb = goals.climb().zip(climbs).map(|(constraint, column)| [first + constraint, column]);
         let finite = vec![0; first + goals.constraints.len()];
         let template = sought.template.clone();
-        Self { sought, template, cells: Vec::new(), climb, answered: 0, stuck: 0, finite, tally: Tally::default() }
+        Self { sought, pace, template, cells: Vec::new(), climb, answered: 0, stuck: 0, finite, tally: Tally::default() }
     }
 
     /// The goals and the constrained quantities.
@@ -50,7 +52,7 @@ impl<'s, R: Varied> Asked<'s, R> {
     /// # Errors
     /// That there is no answer. One of the quantities may have no value.
     pub(super) fn outputs(&mut self, values: &[f64]) -> Result<Vec<f64>, Refusal> {
-        let status = Self::ask(&mut self.template, values, &mut self.cells, &mut self.tally);
+        let status = Self::ask(&mut self.template, values, &mut self.cells, &mut self.tally, self.pace);
         if !has_numbers(status) {
             return Err(Refusal::NoAnswer);
         }
@@ -67,10 +69,10 @@ impl<'s, R: Varied> Asked<'s, R> {
     }
 
     /// Asks with these values: the cells of the row, and how it went.
-    fn ask(template: &mut Template<R>, values: &[f64], cells: &mut Vec<f64>, tally: &mut Tally) -> RowStatus {
+    fn ask(template: &mut Template<R>, values: &[f64], cells: &mut Vec<f64>, tally: &mut Tally, pace: &Pace) -> RowStatus {
         cells.clear();
         match template.case(values) {
-            Ok(case) => case.row(cells, tally),
+            Ok(case) => case.row(cells, tally, pace),
             Err(faults) => tell_invalid(faults, tally),
         }
     }
@@ -90,7 +92,7 @@ impl<'s, R: Varied> Asked<'s, R> {
         let mut tally = Tally::default();
         for values in points {
             tally.begin_row();
-            Self::ask(&mut self.template, values, &mut self.cells, &mut tally);
+            Self::ask(&mut self.template, values, &mut self.cells, &mut tally, self.pace);
             let cells = self.cells.iter().copied().chain(std::iter::repeat(f64::NAN));
             columns.iter_mut().zip(cells).for_each(|((_, list), cell)| list.push(cell));
         }
