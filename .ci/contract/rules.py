@@ -363,9 +363,6 @@ def by_soil(schema):
     grains["properties"]["soil"] = {"$ref": "#/components/schemas/Grains"}
     if field == "methods":
         others["properties"]["methods"]["maxItems"] -= 1
-    for name in ("lambda_a", "lambda_b"):
-        if has(grains, [name]) and field == "method":  # a comparison may have them for another of its methods
-            grains["properties"][name] = {"type": "null"}
     if has(grains, ["braking"]):
         grains["properties"]["braking"]["enum"] = ["one_zone"]
         grains["properties"]["braking"].pop("default", None)

@@ -129,6 +129,14 @@ fn a_law_takes_its_unit_weight_from_the_soil() {
     assert!(is_same(modulus(forces(moon.clone(), json!({"unit_weight_n_m3": 2500}))), of(2500.0)), "its own comes first");
     let lacking = forces(json!({}), json!({}));
     assert_eq!(lacking.pointers(), ["/soil/pressure_sinkage/unit_weight_n_m3"]);
+    let null = json!({
+        "wheel": {"radius_m": 0.2, "width_m": 0.1}, "slip": 0.2, "sinkage_m": 0.02,
+        "soil": {
+            "cohesion_pa": 200, "friction_angle_rad": 0.5, "shear_modulus_m": 0.01, "unit_weight_n_m3": 15e3,
+            "pressure_sinkage": {"law": "reece", "k_c": 10, "k_phi": 80, "n0": 1, "unit_weight_n_m3": null}
+        }
+    });
+    assert!(is_same(modulus(post("/v1/forces", &null)), of(15e3)), "null is as if it were not sent");
 
     let told = |soil: Value, law: Value| forces(soil, law).warned_of().contains(&"unit_weights_differ".to_owned());
     assert!(!told(moon.clone(), json!({})));

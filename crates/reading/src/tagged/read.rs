@@ -87,8 +87,10 @@ impl Tagged {
 
 /// A parameter of the chosen form; no answer at all where it is wrong or lacking.
 fn value(reader: &Reader<'_>, field: &Field<Number>, otherwise: &dyn Fn(&str) -> Option<f64>) -> Option<Option<f64>> {
-    match reader.optional(field)?.or_else(|| otherwise(field.name)).or(field.kind.default_value()) {
-        None if field.required => reader.required(field).map(Some),
+    // What may follow from other fields may be null, as if it were not sent.
+    let sent = Field { required: field.required && !field.kind.follows, ..*field };
+    match reader.optional(&sent)?.or_else(|| otherwise(field.name)).or(field.kind.default_value()) {
+        None if field.required => reader.required(&sent).map(Some),
         value => Some(value),
     }
 }
