@@ -167,3 +167,19 @@ fn a_torque_against_the_slip_is_told_of_the_mirrored_wheel_too() {
         assert_eq!(found, codes, "{torque}");
     }
 }
+
+/// Of a measured torque the pull follows without a soil.
+#[test]
+fn a_soil_that_has_no_influence_is_told() {
+    let told = |changes: Value| {
+        let found = post("/v1/coupled", &measured(changes)).ok();
+        let warnings = found["warnings"].as_array().expect("warnings").clone();
+        let names = warnings.iter().find(|warning| warning["code"] == "not_used").map(|warning| warning["names"].clone());
+        names.unwrap_or_else(|| json!([]))
+    };
+    let soil = |torque: Value| told(json!({"torque_n_m": torque, "soil": {"cohesion_pa": 300, "granular_stiffness_n_m3": 1e6}}));
+    let all = ["cohesion_pa", "friction_angle_rad", "shear_modulus_m", "pressure_sinkage", "granular_stiffness_n_m3"];
+    assert_eq!(soil(json!(7)), json!(all.map(|name| format!("/soil/{name}"))));
+    assert_eq!(soil(Value::Null), json!(["/soil/granular_stiffness_n_m3"]));
+    assert_eq!(told(json!({"torque_n_m": 7, "soil": null})), json!([]));
+}

@@ -24,7 +24,7 @@ pub(crate) struct FoundCoupled {
 /// # Errors
 /// What the model refuses.
 pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
-    let CoupledCase { system, motion, sinkage, known } = case;
+    let CoupledCase { system, motion, sinkage, known, unused } = case;
     let refused = |error| Problem::refused(&error, &Sinkage::Given(*sinkage));
     // Without a slip the contact is the same at any, and the wheel moves forward.
     let (slip, moving) = (motion.map(|motion| motion.slip), motion.unwrap_or(Motion::forward(Slip::ROLLING)));
@@ -33,6 +33,7 @@ pub(crate) fn coupled(case: &CoupledCase) -> Result<FoundCoupled, Problem> {
     let cautions = forces.cautions(system, slip, *sinkage);
     let forces = forces.heading(moving.heading);
     let circles = system.contact.circles().into();
-    let warnings = of_point(cautions, system, moving);
+    let mut warnings = of_point(cautions, system, moving);
+    warnings.extend(unused.warning());
     Ok(FoundCoupled { slip, sinkage: *sinkage, circles, angles, forces, warnings })
 }

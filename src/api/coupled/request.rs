@@ -11,6 +11,7 @@ use crate::request::motion::{self, MOTION, SLIP};
 use crate::request::sinkage::{LOAD, SINKAGE_M, within_wheel};
 use crate::request::soil::{FoundSoil, Needs};
 use crate::request::system::{self, CONTACT, SOIL, WHEEL};
+use crate::request::unused::{Reads, Unused};
 use crate::request::{Documented, Request};
 
 const SINKAGE: Field<Number> = Field { required: true, ..SINKAGE_M };
@@ -32,6 +33,7 @@ pub(crate) struct CoupledCase {
     pub(crate) sinkage: f64,
     /// The load and the torque of the wheel moving forward, or of its mirror image.
     pub(crate) known: Coupled,
+    pub(crate) unused: Unused,
 }
 
 pub(super) type CoupledRequest = Documented<CoupledCase>;
@@ -68,15 +70,16 @@ impl Request for CoupledCase {
         let torque = object.optional(&TORQUE);
         let normal_stress_radius = object.or_default(&NORMAL_STRESS_RADIUS);
         let motion = motion?;
-        Some(Self {
-            system: system.whole(Braking::OneZone)?,
-            motion,
-            sinkage: sinkage?,
-            known: Coupled {
-                normal_load: normal_load?,
-                torque: torque?.map(|torque| motion.map_or(torque, |motion| motion.heading.as_forward(torque))),
-                normal_stress_radius: normal_stress_radius?,
-            },
-        })
+        let system = system.whole(Braking::OneZone)?;
+        let known = Coupled {
+            normal_load: normal_load?,
+            torque: torque?.map(|torque| motion.map_or(torque, |motion| motion.heading.as_forward(torque))),
+            normal_stress_radius: normal_stress_radius?,
+        };
+        let sinkage = sinkage?;
+        // Last, for it reads again what was found to be right.
+        let reads = if object.has(&TORQUE) { Reads::FROM_TORQUE } else { Reads::STRESSES };
+        let unused = Unused::of(object, reads, &system);
+        Some(Self { system, motion, sinkage, known, unused })
     }
 }
