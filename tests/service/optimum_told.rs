@@ -177,3 +177,16 @@ fn limits_that_contradict_each_other_are_refused() {
     let found = optimum(&sought(wheels(), json!({"minimise": MASS, "constraints": equal})));
     assert!(found["feasible"] == false || (number(&found["quantities"]["sinkage_m"]) - 0.02).abs() < 1e-9, "{found}");
 }
+
+#[test]
+fn a_whole_number_is_not_searched() {
+    let body = json!({
+        "of": "vehicle",
+        "request": {
+            "mass_kg": 20, "gravity_m_s2": 1.62, "soil": {"preset": "lunar-apollo-nominal"}, "slope_rad": 0.1,
+            "wheels": {"count": 4, "wheel": {"radius_m": 0.1, "width_m": 0.06}}
+        },
+        "variables": [{"field": "/wheels/count", "from": 4, "to": 6}], "minimise": "energy_per_metre_j_m"
+    });
+    assert!(post("/v1/optimum", &body).fault("/variables/0/field").contains("whole number"));
+}

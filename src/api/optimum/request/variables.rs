@@ -71,6 +71,12 @@ fn one(variable: &Reader<'_>, request: &'static Object) -> Option<Varying> {
     let (from, to, start) = (variable.required(&FROM), variable.required(&TO), variable.optional(&START));
     let spacing = variable.or_default(&SPACING);
     let (path, number) = field?;
+    if number.is_whole() {
+        variable
+            .place_of(&FIELD)
+            .fault("is a whole number, which this search does not step through; ask for each, or use `/v1/sweep`");
+        return None;
+    }
     let (from, to, start) = (from?, to?, start?);
     let ends = [(&FROM, Some(from)), (&TO, Some(to)), (&START, start)];
     let wrong =
