@@ -54,6 +54,11 @@ impl Extent {
         Self { margin: 1.0, ..self }
     }
 
+    /// Whether any value beyond the extremes is outside.
+    pub(crate) fn is_exact(&self) -> bool {
+        self.margin == 1.0
+    }
+
     fn called(self, quantity: String) -> Self {
         Self { quantity, ..self }
     }

@@ -39,7 +39,8 @@ pub(crate) fn beside_load(object: &Reader<'_>, needs: Needs<'static>) -> Needs<'
 
 /// Reports that the soil lacks the pressure–sinkage law that the method needs; false where it did.
 pub(crate) fn has_its_law(object: &Reader<'_>, method: &Method, soil: &FoundSoil) -> bool {
-    method.is_closed_form() || *method == Method::ResistiveForce || soil.has_law(&object.place_of(&SOIL))
+    let enough = if is_under_load(object) { "; `{\"n0\": …}` is enough, because the load is known" } else { "" };
+    method.is_closed_form() || *method == Method::ResistiveForce || soil.has_law(&object.place_of(&SOIL), enough)
 }
 
 /// The operation of a request with the groups of a system, of the stresses and of braking, with the sinkage and by the method that

@@ -141,10 +141,11 @@ impl FoundSoil {
     }
 
     /// Reports at the soil's `place` that the pressure–sinkage law is lacking, where it and its exponent are; false where it did.
-    pub(crate) fn has_law(&self, place: &Scope<'_>) -> bool {
+    /// `enough` is added to the message: what is enough of a law.
+    pub(crate) fn has_law(&self, place: &Scope<'_>, enough: &str) -> bool {
         let is_there = self.soil.sinkage_exponent().is_some();
         if !is_there {
-            missing_law(&place.field(PRESSURE_SINKAGE.name), &Preset { entry: self.entry, is_sound: true });
+            missing_law(&place.field(PRESSURE_SINKAGE.name), &Preset { entry: self.entry, is_sound: true }, enough);
         }
         is_there
     }
@@ -207,7 +208,7 @@ fn pressure_sinkage(
             None => {
                 let assumed = assumed_law(object, preset);
                 if assumed.is_none() {
-                    missing_law(&object.place_of(&PRESSURE_SINKAGE), preset);
+                    missing_law(&object.place_of(&PRESSURE_SINKAGE), preset, "");
                 }
                 assumed.map(|law| (Some(law), LawOrigin::Catalogue))
             }
@@ -238,11 +239,11 @@ fn assumed_law(object: &Reader<'_>, preset: &Preset<SoilRecord>) -> Option<Press
 }
 
 /// Reports that the pressure–sinkage law is missing, with the parameters that are not published where some are.
-fn missing_law(place: &Scope<'_>, preset: &Preset<SoilRecord>) {
+fn missing_law(place: &Scope<'_>, preset: &Preset<SoilRecord>, enough: &str) {
     let Some(record) = preset.entry else {
         // What was sent for the preset was reported.
         if preset.is_sound {
-            place.fault("is required");
+            place.fault(format_args!("is required{enough}"));
         }
         return;
     };
@@ -253,5 +254,5 @@ fn missing_law(place: &Scope<'_>, preset: &Preset<SoilRecord>) {
     let offer = record.lender().map_or_else(String::new, |lender| {
         format!("; with \"assume\": true it is the law of `{}`, see `assumed` in /v1/soils/{}", lender.id, record.id)
     });
-    place.fault(format_args!("is required: the catalogue has no published value for `{}`{lacking}{offer}", record.id));
+    place.fault(format_args!("is required: the catalogue has no published value for `{}`{lacking}{offer}{enough}", record.id));
 }

@@ -113,7 +113,7 @@ findings! { many;
         listed_in_short(pointers),
         if pointers.len() == 1 { "it" } else { "them" }
     ),
-    advises "Leave them out, or choose a method that reads them; `/v1/model` says what each needs.";
+    advises "Leave out what is not read, or choose a method that reads it; `/v1/model` says what each needs.";
 
     "outside_catalogue" OutsideCatalogue { outside: Outside }
     means "A value of the wheel or the soil is more than three times beyond the extremes of the catalogue, or a friction angle is beyond them at all. It may be right, or it may be in another unit."
@@ -125,11 +125,12 @@ findings! { many;
     says {
         let extent = outside.extent;
         let (side, extreme) = match extent.lower {
-            Some(lower) if outside.value < lower => ("below the smallest", lower),
-            _ => ("above the largest", extent.upper),
+            Some(lower) if outside.value < lower => ("below the smallest value above 0", lower),
+            _ => ("above the largest value", extent.upper),
         };
+        let far = if extent.is_exact() { "" } else { "far " };
         let (value, extreme) = (with_unit(outside.value, extent.unit), with_unit(extreme, extent.unit));
-        format!("{} is {value}, far {side} value of the catalogue, {extreme}.", extent.quantity)
+        format!("{} is {value}, {far}{side} in the catalogue, {extreme}.", extent.quantity)
     },
     advises "Check its unit.";
 
@@ -149,7 +150,7 @@ findings! { many;
         let place = if pointer.is_empty() { String::new() } else { format!("`{pointer}` ") };
         format!("the values make no request{}: {place}{detail}.", if many { ". That of the first" } else { "" })
     },
-    advises "Leave these values out.";
+    advises "Correct these values or leave them out.";
 
     "truncated_distribution" TruncatedDistribution { pointer: String, field: String, share: f64, bounds: Bounds }
     means "Part of the distribution of an uncertain field lies outside what the field may be and is cut off: which share. The rest grows to 1, so that mean and deviation are no longer those that were sent."

@@ -198,7 +198,7 @@ impl fmt::Display for Error {
             ),
             Self::InterfaceBeyondSoil { parameter, value, soil } => {
                 let (name, value, soil) = (parameter.name, Digits(value), Digits(soil));
-                write!(f, "the {name} of the interface is {value}, it must be at most that of the soil, {soil}")
+                write!(f, "the {name} of the interface is {value}; it must be at most that of the soil, {soil}")
             }
             Self::ClosedFormOfTwoZones => {
                 write!(

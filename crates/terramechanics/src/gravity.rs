@@ -12,6 +12,9 @@ use crate::soil::{Soil, SoilParams};
 /// Standard acceleration of the Earth's gravity (m/s²), by the 3rd General Conference on Weights and Measures, 1901.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
+/// Share by which numbers for the gravity of one place differ: 9.78 to 9.83 on Earth, 1.62 and 1.625 on the Moon.
+pub(crate) const ROUNDING: f64 = 0.01;
+
 impl Soil {
     /// g.
     pub const GRAVITY: Parameter = Parameter {
@@ -71,7 +74,8 @@ impl Soil {
 
     /// Whether the soil was taken to a gravity other than that in which its values were measured.
     pub(crate) fn has_left_its_gravity(&self) -> bool {
-        matches!((self.measured_gravity(), self.gravity()), (Some(measured), Some(here)) if measured != here)
+        let differ = |measured: f64, here: f64| (here - measured).abs() > ROUNDING * measured;
+        matches!((self.measured_gravity(), self.gravity()), (Some(measured), Some(here)) if differ(measured, here))
     }
 }
 

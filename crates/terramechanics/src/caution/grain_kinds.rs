@@ -20,7 +20,7 @@ kinds! {
         advice: "Give one of them, or check both and the gravity in which they hold.",
         parameter: Some(&Soil::UNIT_WEIGHT),
         range: Some(TestedRange {
-            quantity: "unit weight over density times gravity, minus 1",
+            quantity: "relative difference of the unit weight from density times gravity",
             unit: "1",
             lower: Some(-LARGEST_WEIGHT_DIFFERENCE),
             upper: Some(LARGEST_WEIGHT_DIFFERENCE),
@@ -29,7 +29,7 @@ kinds! {
     };
     MODULI_OF_OTHER_GRAVITY = CautionKind {
         code: "moduli_of_other_gravity",
-        meaning: "Bekker's moduli are those of the gravity in which they were measured, and this soil is taken to another one. \
+        meaning: "Bekker's moduli are those of the gravity in which they were measured, and here the soil is in another one. \
                   Its weights follow gravity, its moduli do not.",
         advice: "Use moduli measured in this gravity, Reece's law, or the method `resistive_force`, whose stiffness follows \
                  gravity.",
@@ -40,7 +40,7 @@ kinds! {
         code: "driving_only",
         meaning: "The resistive force method meets driving wheels. Its pull of braking wheels was found to be off by 0.8 of the \
                   load.",
-        advice: "Use the quadrature for a braking wheel, with two zones where it has room for them.",
+        advice: "Use the quadrature for a braking wheel, with `two_zone` for its `braking`.",
         parameter: Some(&Slip::RATIO),
         range: Some(TestedRange {
             quantity: "slip",

@@ -2,7 +2,7 @@
 //! range, and what to do beyond it.
 
 use super::{CautionKind, TestedRange};
-use crate::gravity::STANDARD_GRAVITY;
+use crate::gravity::{ROUNDING, STANDARD_GRAVITY};
 use crate::pressure_sinkage::{NEGATIVE_COHESIVE_MODULUS, SMALL_WHEEL};
 use crate::soil::Soil;
 use crate::wheel::Wheel;
@@ -46,7 +46,7 @@ kinds! {
         range: Some(TestedRange {
             quantity: "gravity",
             unit: "m/s2",
-            lower: Some(STANDARD_GRAVITY),
+            lower: Some((1.0 - ROUNDING) * STANDARD_GRAVITY),
             upper: None,
             source: "Kobayashi et al. 2010, Wong 2012",
         }),

@@ -50,7 +50,7 @@ kinds! {
         advice: "Give the load beside the static sinkage: it then takes the place of the sinkage modulus.",
         parameter: Some(&WheelOnSoil::NORMAL_LOAD),
         range: Some(TestedRange {
-            quantity: "normal force over that at the standstill, minus 1",
+            quantity: "relative change of the normal force from the standstill",
             unit: "1",
             lower: Some(-LARGEST_DRIFT),
             upper: Some(LARGEST_DRIFT),
@@ -73,8 +73,8 @@ kinds! {
     };
     TORQUE_AGAINST_SLIP = CautionKind {
         code: "torque_against_slip",
-        meaning: "The torque has the sign that no shear stress of this slip has: a wheel that slips backwards over the soil all along \
-                  its contact is turned by its motor, and one that slips forwards all along is braked.",
+        meaning: "The torque has not the sign that goes with this slip. At this slip the rim moves over the soil in one direction all \
+                  along the contact, and the shear stress of that direction gives a torque of the other sign.",
         advice: "Check the signs of torque and slip, and the circle on which the slip is counted.",
         parameter: Some(&WheelOnSoil::TORQUE),
         range: None,
