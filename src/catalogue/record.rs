@@ -40,6 +40,8 @@ pub(crate) struct Value {
     pub(crate) value: f64,
     /// As published, with its unit.
     pub(crate) published: String,
+    /// The ends of the range that was published, in SI units, where it was one.
+    pub(super) range: Option<[f64; 2]>,
     pub(super) source: Option<String>,
     pub(super) grade: Option<Grade>,
     pub(super) note: Option<String>,
@@ -164,6 +166,11 @@ impl SoilRecord {
         self.values.get(name).map(|value| value.value)
     }
 
+    /// The range that was published of the value of that name, where it was one.
+    pub(crate) fn range(&self, name: &str) -> Option<[f64; 2]> {
+        self.values.get(name).and_then(|value| value.range)
+    }
+
     /// Gravity where the soil lies or was tested (m/s²), if that is known.
     pub(crate) fn gravity(&self) -> Option<f64> {
         self.number(Soil::GRAVITY.name)
@@ -182,6 +189,7 @@ impl SoilRecord {
             let value = || Value {
                 value: known.acceleration_m_s2,
                 published: format!("{} m/s2", known.acceleration_m_s2),
+                range: None,
                 source: Some(known.source.clone()),
                 grade: None,
                 note: Some("That of the body where soils of this kind lie or are tested; their source does not state it.".into()),

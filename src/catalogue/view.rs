@@ -17,6 +17,10 @@ pub(crate) struct ValueView<'a> {
     value: f64,
     /// As published, with its unit.
     published: &'a str,
+    /// The ends of the range that was published, in SI units, where it was one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    range: Option<[f64; 2]>,
     /// Where it was published.
     source: &'a str,
     grade: Grade,
@@ -120,6 +124,7 @@ fn views<'a>(values: &'a Values, source: &'a str, grade: Grade) -> BTreeMap<&'a 
     let view = |value: &'a Value| ValueView {
         value: value.value,
         published: &value.published,
+        range: value.range,
         source: value.source.as_deref().unwrap_or(source),
         grade: value.grade.unwrap_or(grade),
         note: value.note.as_deref(),

@@ -135,6 +135,12 @@ pub(crate) fn read(object: &Reader<'_>, needs: Needs<'_>) -> Option<FoundSoil> {
 }
 
 impl FoundSoil {
+    /// The range that the catalogue has of a parameter of the preset, and the preset.
+    pub(crate) fn measured(&self, parameter: &str) -> Option<(&'static str, [f64; 2])> {
+        let record = self.entry?;
+        Some((&record.id, record.range(parameter)?))
+    }
+
     /// A soil that stands for none.
     pub(crate) fn bare(soil: Soil) -> Self {
         Self { soil, contact: None, law: LawOrigin::Absent, entry: None }

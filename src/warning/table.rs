@@ -527,6 +527,13 @@ findings! { many;
     },
     advises "Check the units of the data (SI).";
 
+    "beyond_measured" BeyondMeasured { parameter: &'static str, value: f64, low: f64, high: f64, preset: &'static str }
+    means "The interval of an estimate lies beyond the range that was published for the soil that the request names."
+    about Measure::of(parameter, *value).beyond(Some(*low), Some(*high), CATALOGUE),
+    names vec![*preset],
+    says format!("`{parameter}` is {}, and {} to {} was measured for `{preset}`.", number(*value), number(*low), number(*high)),
+    advises "The soil may be another one, or the wheel may show another thing of it: a bare rim shows its interface with the soil.";
+
     "may_be_the_interface" MayBeTheInterface { parameters: Vec<&'static str> }
     means "The wheel has no lugs: a bare rim slips on the grains before the soil shears in itself, so that the strength and the shear modulus that a fit finds may be those between rim and soil."
     field "/contact",

@@ -192,3 +192,43 @@ fn an_interface_on_a_wheel_with_lugs_is_warned_of_wherever_it_acts() {
     let grains = json!({"method": "resistive_force", "soil": {"bulk_density_kg_m3": 1600}});
     assert!(!says("/v1/forces", &with(&lugged, grains)));
 }
+
+/// The published K of the soil is 9.7 to 13.1 mm; a fit to the smooth wheel of Ding et al. (2011) finds some 3 mm, the interface's.
+#[test]
+fn a_fit_that_leaves_what_was_measured_on_the_soil_says_so() {
+    let set = get("/v1/validation/ding-2011-smooth").ok();
+    let of = |name: &str| set["columns"]["measured"][name].clone();
+    let slip = set["columns"]["slip"].clone();
+    let slips = slip.as_array().expect("slips").len();
+    let body = |pull: Value, torque: Value| {
+        json!({
+            "wheel": set["wheel"], "soil": {"preset": "hit-lss1"}, "slip_radius": "shearing",
+            "fit": ["friction_angle_rad", "shear_modulus_m"],
+            "data": {
+                "slip": slip, "sinkage_m": of("sinkage_m"), "normal_load_n": vec![80; slips],
+                "longitudinal_force_n": pull, "torque_n_m": torque
+            }
+        })
+    };
+    let measured = post("/v1/identify", &body(of("longitudinal_force_n"), of("torque_n_m"))).ok();
+    let told = measured["warnings"].as_array().expect("warnings").iter().filter(|warning| warning["code"] == "beyond_measured");
+    let told: Vec<&Value> = told.collect();
+    let of_modulus = told.iter().find(|warning| warning["quantity"] == "shear_modulus_m").expect("K leaves its range");
+    assert_eq!([&of_modulus["range"]["lower"], &of_modulus["range"]["upper"]], [&json!(0.0097), &json!(0.0131)]);
+    assert_eq!(of_modulus["names"], json!(["hit-lss1"]));
+    // Of an angle no range was published.
+    assert_eq!(told.len(), 1, "{told:?}");
+    // Forces of the soil itself do not leave it.
+    let forces: Vec<Value> = (0..slips)
+        .map(|i| {
+            let point = json!({
+                "wheel": set["wheel"], "soil": {"preset": "hit-lss1"}, "slip_radius": "shearing",
+                "slip": slip[i], "sinkage_m": of("sinkage_m")[i], "normal_load_n": 80
+            });
+            post("/v1/forces", &point).ok()
+        })
+        .collect();
+    let column = |name: &str| Value::from(forces.iter().map(|force| force[name].clone()).collect::<Vec<_>>());
+    let own = post("/v1/identify", &body(column("longitudinal_force_n"), column("torque_n_m")));
+    assert!(!own.warned_of().contains(&"beyond_measured".to_owned()));
+}

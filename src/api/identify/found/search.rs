@@ -5,7 +5,7 @@ use std::time::Instant;
 use terramechanics::{Method, interface_caution};
 use terramechanics_identification::{Bound, Fit, FitOptions, Observations, Setup, Unknown, fit_while};
 
-use crate::api::identify::request::{FitCase, column_name, fit_fault};
+use crate::api::identify::request::{FitCase, Measured, column_name, fit_fault};
 use crate::compute::Pace;
 use crate::problem::Problem;
 use crate::warning::{Finding, Warning, implausible, system_warnings};
@@ -63,6 +63,7 @@ fn warnings(case: &FitCase, found: &Fit) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = system_warnings(&found.setup.wheel, &found.setup.soil).collect();
     warnings.extend(findings.into_iter().map(Warning::from));
     warnings.extend(implausible(&found.estimates, found.setup.soil.pressure_sinkage.map_or(0.0, |law| law.exponent().base)));
+    warnings.extend(beyond_measured(case, found));
     warnings.extend(of_the_interface(case));
     if case.law_replaced {
         warnings.push(Finding::LawReplaced {}.into());
@@ -72,6 +73,18 @@ fn warnings(case: &FitCase, found: &Fit) -> Vec<Warning> {
     let interface = interface_caution(&found.setup.wheel, &found.setup.contact).filter(|_| has_interface);
     warnings.extend(interface.map(Warning::from));
     warnings
+}
+
+/// The estimates that leave what was measured on the soil that the request names, and not by their errors alone.
+fn beyond_measured(case: &FitCase, found: &Fit) -> impl Iterator<Item = Warning> {
+    let leaving = |measured: &Measured| {
+        let Measured { unknown, preset, range: [low, high] } = *measured;
+        let estimate = found.estimates.iter().find(|estimate| estimate.unknown == unknown)?;
+        let [least, most] = estimate.interval.unwrap_or([estimate.value; 2]);
+        let leaves = least > high || most < low;
+        leaves.then(|| Finding::BeyondMeasured { parameter: unknown.name(), value: estimate.value, low, high, preset }.into())
+    };
+    case.measured.iter().filter_map(leaving)
 }
 
 /// That what was fitted to a bare rim may be its interface with the soil, where the contact has none of its own.

@@ -12,6 +12,7 @@ use terramechanics_reading::{Field, FieldFault, Number, Object, Reader, Tagged, 
 
 use self::data::{DATA, STANDARD_DEVIATION};
 use self::setup::Found;
+pub(crate) use self::setup::Measured;
 use crate::request::assume::ASSUME;
 use crate::request::circles::CIRCLES;
 use crate::request::fitted_law;
@@ -70,6 +71,7 @@ pub(crate) struct FitCase {
     pub(crate) options: FitOptions,
     /// Whether the preset's law gave way to the direct one, whose modulus is fitted.
     pub(crate) law_replaced: bool,
+    pub(crate) measured: Vec<Measured>,
     /// What was sent and is not read.
     pub(crate) unused: Unused,
 }
@@ -126,7 +128,7 @@ impl Request for IdentifyCase {
         };
         let found = setup::read(object, &sought, data.as_ref());
         let observations = data.as_ref().and_then(|data| observations(object, data, found.wheel.as_ref()));
-        let (Found { setup, law, unused, .. }, fitted) = (found, fitted?);
+        let (Found { setup, law, measured, unused, .. }, fitted) = (found, fitted?);
         let (setup, law) = (setup?, law?);
         if estimator? == Estimator::Linear {
             let case = LinearCase { setup, observations: observations?, law_known: law != LawOrigin::Absent, unused };
@@ -138,7 +140,7 @@ impl Request for IdentifyCase {
         check_columns(object, &data?, &setup, &observations)?;
         let options = FitOptions { starts: count? as u32, loss: loss?, evaluations: EVALUATIONS, until: None };
         let law_replaced = law == LawOrigin::Replaced;
-        Some(Self::Fit(Box::new(FitCase { setup, observations, sought, options, law_replaced, unused })))
+        Some(Self::Fit(Box::new(FitCase { setup, observations, sought, options, law_replaced, measured, unused })))
     }
 }
 

@@ -35,11 +35,20 @@ impl Sought<'_> {
     }
 }
 
+/// A range that was measured of what is fitted, on the soil that the request names.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Measured {
+    pub(crate) unknown: Unknown,
+    pub(crate) preset: &'static str,
+    pub(crate) range: [f64; 2],
+}
+
 /// A forward model as far as it could be read.
 pub(super) struct Found {
     pub(super) setup: Option<Setup>,
     pub(super) wheel: Option<Wheel>,
     pub(super) law: Option<LawOrigin>,
+    pub(super) measured: Vec<Measured>,
     /// What was sent and is not read.
     pub(super) unused: Unused,
 }
@@ -85,7 +94,17 @@ pub(super) fn read(object: &Reader<'_>, sought: &Sought<'_>, data: Option<&Reade
         let system = WheelOnSoil { wheel: wheel?, soil: soil?.soil, contact: contact? };
         Some(Unused::of(object, reads(&method?), &system))
     };
-    Found { setup: setup(), wheel, law: soil.map(|soil| soil.law), unused: unused().unwrap_or_default() }
+    let measured = |&unknown: &Unknown| {
+        let (preset, range) = soil?.measured(unknown.name())?;
+        Some(Measured { unknown, preset, range })
+    };
+    Found {
+        setup: setup(),
+        wheel,
+        law: soil.map(|soil| soil.law),
+        measured: sought.fitted.iter().filter_map(measured).collect(),
+        unused: unused().unwrap_or_default(),
+    }
 }
 
 /// The soil; one of which nothing is said has to be fitted as a whole.
