@@ -25,8 +25,12 @@ pub(super) struct Published {
 impl Published {
     /// What is published of a value by those who measured or quoted it.
     pub(super) fn of(values: &'static Values, grade: Grade, source: &'static str, name: &str) -> Option<Self> {
-        let value = founded(values, grade, name)?;
-        Some(Self { value, source: values.get(name).and_then(|value| value.source.as_deref()).unwrap_or(source) })
+        Some(Self::by(founded(values, grade, name)?, values, source, name))
+    }
+
+    /// A value of that name, published by a source of its own, else by that of the record.
+    pub(super) fn by(value: f64, values: &'static Values, source: &'static str, name: &str) -> Self {
+        Self { value, source: values.get(name).and_then(|value| value.source.as_deref()).unwrap_or(source) }
     }
 
     /// The publication, without the table or page: all up to its year, else the whole.

@@ -114,9 +114,7 @@ fn of_lender(record: &SoilRecord) -> Vec<Substitute> {
         let value = lender.number(parameter.name)?;
         let others = soils().iter().filter(|other| other.law == lender.law && other.kind == lender.kind);
         let published = |other: &'static SoilRecord| {
-            let of = other.values.get(parameter.name);
-            let source = of.and_then(|of| of.source.as_deref()).unwrap_or(&other.source);
-            Some(Published { value: other.number(parameter.name)?, source })
+            Some(Published::by(other.number(parameter.name)?, &other.values, &other.source, parameter.name))
         };
         let spread = Spread::of(others.filter_map(published))?;
         Some(Substitute {

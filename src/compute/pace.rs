@@ -70,22 +70,18 @@ impl Pace {
     pub(crate) fn of_nobody() -> Self {
         let time = AT_ONCE;
         let terms = Terms { gone: Arc::new(AtomicBool::new(true)), time, deadline: Instant::now() + time, most: time };
-        Self(Some(OnPool {
-            turns: Turns::new(1),
-            turn: RefCell::new(None),
-            terms,
-            slice_end: Cell::new(Instant::now() + SLICE),
-            began: processor_time(),
-            looks: Cell::new(0),
-            stop: Cell::new(None),
-        }))
+        Self::on_pool(&Turns::new(1), None, terms)
     }
 
     /// The pace of work that has its turn from now on.
     pub(super) fn of(turns: &Turns, turn: Turn, terms: Terms) -> Self {
+        Self::on_pool(turns, Some(turn), terms)
+    }
+
+    fn on_pool(turns: &Turns, turn: Option<Turn>, terms: Terms) -> Self {
         Self(Some(OnPool {
             turns: turns.clone(),
-            turn: RefCell::new(Some(turn)),
+            turn: RefCell::new(turn),
             terms,
             slice_end: Cell::new(Instant::now() + SLICE),
             began: processor_time(),
